@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+find_program(SPIRV_VAL spirv-val REQUIRED)
+
+# utsuri_add_kernels(TARGET name ...): compiles kernels/NAME.comp of the current folder for each name, validates the
+# SPIR-V and embeds it as `utsuri::kernels::NAME` in the header "kernels/NAME.h" of TARGET, an interface library. A
+# kernel is compiled again when a file it includes changes (depfile).
+function(utsuri_add_kernels target)
+    set(folder ${CMAKE_CURRENT_BINARY_DIR}/generated)
+    file(MAKE_DIRECTORY ${folder}/kernels)
+    set(headers)
+    foreach(name ${ARGN})
+        set(source ${CMAKE_CURRENT_SOURCE_DIR}/kernels/${name}.comp)
+        set(spirv ${folder}/kernels/${name}.spv)
+        set(header ${folder}/kernels/${name}.h)
+        add_custom_command(
+            OUTPUT ${spirv}
+            COMMAND ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.3 -I${CMAKE_CURRENT_SOURCE_DIR}
+                    --depfile ${spirv}.d -o ${spirv} ${source}
+            COMMAND ${SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${spirv}
+            MAIN_DEPENDENCY ${source}
+            DEPFILE ${spirv}.d
+            COMMENT "Compiling kernel ${name}"
+            VERBATIM)
+        add_custom_command(
+            OUTPUT ${header}
+            COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DSPIRV=${spirv} -DHEADER=${header}
+                    -P ${PROJECT_SOURCE_DIR}/cmake/embed_spirv.cmake
+            DEPENDS ${spirv} ${PROJECT_SOURCE_DIR}/cmake/embed_spirv.cmake
+            COMMENT "Embedding kernel ${name}"
+            VERBATIM)
+        list(APPEND headers ${header})
+    endforeach()
+    add_custom_target(${target}_headers DEPENDS ${headers})
+    add_library(${target} INTERFACE)
+    add_dependencies(${target} ${target}_headers)
+    target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${folder}>)
+endfunction()

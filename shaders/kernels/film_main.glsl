@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The loop over the samples of a pixel.
+#include "lib/sampler.glsl"
+
+/// Dimension pair 0 places the sample in its pixel; surfaces use those from 1 on.
+const uint FIRST_SURFACE_DIMENSION = 1u;
+
+/// Radiance arriving along a camera ray; `key` and `index` are the sampler's. Defined by the including kernel.
+vec3 sample_radiance(vec3 origin, vec3 direction, uint key, uint index, inout Counters totals);
+
+void render_pixel() {
+    uvec2 in_band = pixel_in_band();
+    if (in_band.x >= push.width || in_band.y >= push.rows) return;
+    uvec2 pixel = in_band + uvec2(0u, push.first_row);
+    uint slot = in_band.y * push.width + in_band.x;
+    FilmPixel state = film[slot];
+    Counters totals = Counters(0u, 0u, 0u, 0u, 0u);
+    for (uint s = push.sample_begin; s < push.sample_end; ++s) {
+        uint key = sampler_key(pixel, push.seed, s & 1u);
+        vec2 jitter = sample_2d(key, s >> 1, 0u);
+        vec3 direction = camera_direction(vec2(pixel) + jitter);
+        vec3 radiance = vec3(0.0);
+        if (direction != vec3(0.0)) {
+            radiance = sample_radiance(push.camera.origin, direction, key, s >> 1, totals);
+        }
+        if (is_finite(radiance)) {
+            add_sample(state, s, radiance);
+        } else {
+            totals.nonfinite += 1u;
+        }
+    }
+    film[slot] = state;
+    count(totals);
+}

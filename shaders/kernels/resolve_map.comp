@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Turns the sums of a film into texels of a reflection map.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "interop/bindings.h"
+#include "interop/frame.h"
+#include "interop/reflection.h"
+
+layout(local_size_x = 64) in;
+
+layout(push_constant, scalar) uniform Push { ResolveMapPush push; };
+
+layout(scalar, binding = BINDING_FILM) readonly restrict buffer Film { FilmPixel film[]; };
+layout(scalar, binding = BINDING_MAP_TEXELS) writeonly restrict buffer MapTexels { vec3 map_texels[]; };
+
+void main() {
+    uint texel = gl_GlobalInvocationID.x;
+    if (texel >= push.texels) return;
+    FilmPixel pixel = film[texel];
+    map_texels[push.first_texel + texel] = (pixel.sum_even + pixel.sum_odd) / float(push.samples);
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Choosing a light and a point on it. The including kernel declares the scene's buffers and which kinds of light the
+// scene has.
+#ifndef UTSURI_LIB_LIGHTS
+#define UTSURI_LIB_LIGHTS
+
+#include "interop/scene.h"
+#include "lib/frame.glsl"
+#include "lib/surface.glsl"
+#include "lib/trigonometry.glsl"
+
+struct LightSample {
+    vec3 direction;      ///< unit, from the surface to the light
+    vec3 target;         ///< where the shadow ray ends, off the light's own surface; unused where `infinite`
+    bool infinite;
+    vec3 irradiance;     ///< divided by the chance of this sample: multiply by BRDF and cosine
+    float pdf;           ///< over solid angle, choice of the light included; 0 for lights without extent
+    uint triangle;       ///< the light's, or NONE
+};
+
+/// Walker's alias method (1977). u is used up.
+uint choose_light(float u) {
+    float scaled = u * float(LIGHT_COUNT);
+    uint entry = min(uint(scaled), LIGHT_COUNT - 1u);
+    LightTableEntry choice = light_table[entry];
+    return scaled - float(entry) < choice.threshold ? entry : choice.alias;
+}
+
+/// Density over solid angle with which direct_light() samples this point of a light triangle.
+/// @param facing twice the vector area dotted with the direction from light to surface, per unit of that direction
+float triangle_light_pdf(float probability, float facing, float distance_squared) {
+    return probability * 2.0 * distance_squared / facing;
+}
+
+LightSample sample_triangle_light(LightInfo light, Surface surface, vec2 u) {
+    BvhTriangle vertices = bvh_triangles[light.triangle];
+    TriangleInfo info = triangle_infos[light.triangle];
+    // Uniform over the triangle, without the square root's clumping of stratified samples (Heitz 2019).
+    float b1 = u.x < u.y ? 0.5 * u.x : u.x - 0.5 * u.y;
+    float b2 = u.x < u.y ? u.y - 0.5 * u.x : 0.5 * u.y;
+    vec3 point = triangle_point(vertices, b1, b2);
+    vec3 area = triangle_cross(vertices);
+    vec3 to_light = point - surface.position;
+    LightSample s;
+    s.direction = normalize_any_scale(to_light);
+    s.infinite = false;
+    s.triangle = light.triangle;
+    float facing = dot(area, -s.direction);
+    vec2 texcoord = HAS_TEXTURES ? interpolated_texcoord(info.vertices, b1, b2) : vec2(0.0);
+    vec3 radiance = emitted_radiance(materials[info.material], texcoord, facing > 0.0);
+    s.pdf = triangle_light_pdf(light.probability, abs(facing), dot(to_light, to_light));
+    s.irradiance = facing != 0.0 && s.pdf > 0.0 ? radiance / s.pdf : vec3(0.0);
+    s.target = offset_origin(point, triangle_point_error(vertices, b1, b2), normalize_any_scale(area), -s.direction);
+    return s;
+}
+
+/// KHR_lights_punctual: inverse square law, smooth cone, and the recommended window where a range is given.
+LightSample sample_punctual_light(LightInfo light, Surface surface) {
+    LightSample s;
+    s.triangle = NONE;
+    s.pdf = 0.0;
+    s.infinite = light.type == LIGHT_DIRECTIONAL;
+    s.target = light.position;
+    if (s.infinite) {
+        s.direction = -light.direction;
+        s.irradiance = light.intensity / light.probability;
+        return s;
+    }
+    vec3 to_light = light.position - surface.position;
+    float distance_squared = dot(to_light, to_light);
+    s.direction = normalize_any_scale(to_light);
+    float factor = distance_squared > 0.0 ? 1.0 / distance_squared : 0.0;
+    if (!isinf(light.range)) {
+        float ratio = sqrt(distance_squared) / light.range;
+        factor *= clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0);
+    }
+    if (light.type == LIGHT_SPOT) {
+        float cone = clamp(dot(light.direction, -s.direction) * light.spot_scale + light.spot_offset, 0.0, 1.0);
+        factor *= cone * cone;
+    }
+    s.irradiance = light.intensity * (factor / light.probability);
+    return s;
+}
+
+/// The uniform environment, by the cosine to the shading normal.
+float environment_pdf(float probability, float cosine) {
+    return probability * cosine / PI;
+}
+
+LightSample sample_environment(LightInfo light, Surface surface, vec2 u) {
+    vec3 tangent, bitangent;
+    make_basis(surface.ns, tangent, bitangent);
+    vec2 disc = sqrt(u.x) * cos_sin_of_turn(u.y);
+    float cosine = sqrt(1.0 - u.x);
+    LightSample s;
+    s.direction = disc.x * tangent + disc.y * bitangent + cosine * surface.ns;
+    s.infinite = true;
+    s.triangle = NONE;
+    s.target = vec3(0.0);
+    s.pdf = environment_pdf(light.probability, cosine);
+    s.irradiance = s.pdf > 0.0 ? light.intensity / s.pdf : vec3(0.0);
+    return s;
+}
+
+LightSample sample_light(uint index, Surface surface, vec2 u) {
+    const bool ONLY_TRIANGLES = !HAS_PUNCTUAL_LIGHTS && !HAS_ENVIRONMENT;
+    const bool ONLY_ENVIRONMENT = !HAS_PUNCTUAL_LIGHTS && !HAS_TRIANGLE_LIGHTS;
+    LightInfo light = lights[index];
+    if (HAS_TRIANGLE_LIGHTS && (ONLY_TRIANGLES || light.type == LIGHT_TRIANGLE)) {
+        return sample_triangle_light(light, surface, u);
+    }
+    if (HAS_ENVIRONMENT && (ONLY_ENVIRONMENT || light.type == LIGHT_ENVIRONMENT)) {
+        return sample_environment(light, surface, u);
+    }
+    return sample_punctual_light(light, surface);
+}
+
+#endif

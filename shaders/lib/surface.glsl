@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a hit to the surface there. The including kernel declares the scene's buffers and HAS_TEXTURES.
+#ifndef UTSURI_LIB_SURFACE
+#define UTSURI_LIB_SURFACE
+
+#include "interop/shading.h"
+#include "lib/numeric.glsl"
+#include "lib/texture.glsl"
+#include "lib/traversal.glsl"
+
+struct Surface {
+    vec3 position;
+    vec3 error_bound;    ///< of the position, per component
+    vec3 ng;             ///< unit geometric normal, on the viewer's side
+    vec3 ns;             ///< unit shading normal, on the same side as ng
+    vec2 texcoord;
+    uint triangle;
+    uint material;
+    uint instance;
+    vec3 base_colour;
+    float metallic;
+    float alpha;         ///< GGX width; 0 where the surface is a perfect mirror or smooth dielectric
+    float f0;            ///< of the dielectric part
+    float f90;
+    vec3 emission;       ///< cd/m2 towards the viewer
+};
+
+vec3 triangle_point(BvhTriangle vertices, float b1, float b2) {
+    return (1.0 - b1 - b2) * vertices.v0 + b1 * vertices.v1 + b2 * vertices.v2;
+}
+
+/// Bound on the rounding error of triangle_point(): seven roundings of each term.
+vec3 triangle_point_error(BvhTriangle vertices, float b1, float b2) {
+    vec3 terms = abs((1.0 - b1 - b2) * vertices.v0) + abs(b1 * vertices.v1) + abs(b2 * vertices.v2);
+    return rounding_bound(7.0) * terms;
+}
+
+/// Twice the vector area; the direction is that of the front.
+vec3 triangle_cross(BvhTriangle vertices) {
+    return cross(vertices.v1 - vertices.v0, vertices.v2 - vertices.v0);
+}
+
+vec3 interpolated_normal(uvec3 vertices, float b1, float b2) {
+    return (1.0 - b1 - b2) * normals[vertices.x] + b1 * normals[vertices.y] + b2 * normals[vertices.z];
+}
+
+vec2 interpolated_texcoord(uvec3 vertices, float b1, float b2) {
+    return (1.0 - b1 - b2) * texcoords[vertices.x] + b1 * texcoords[vertices.y] + b2 * texcoords[vertices.z];
+}
+
+/// Light that a point of a triangle sends to the side it is seen from.
+vec3 emitted_radiance(MaterialInfo material, vec2 texcoord, bool front) {
+    if (!front && material.double_sided == 0u) return vec3(0.0);
+    vec3 emission = material.emissive;
+    if (HAS_TEXTURES && material.emissive_texture.texture != NONE) {
+        emission *= sample_texture(material.emissive_texture, texcoord, true);
+    }
+    return emission;
+}
+
+void evaluate_material(inout Surface surface, MaterialInfo material, bool front) {
+    surface.base_colour = material.base_colour;
+    surface.metallic = material.metallic;
+    float roughness = material.roughness;
+    if (HAS_TEXTURES && material.base_colour_texture.texture != NONE) {
+        surface.base_colour *= sample_texture(material.base_colour_texture, surface.texcoord, true);
+    }
+    if (HAS_TEXTURES && material.metallic_roughness_texture.texture != NONE) {
+        vec3 value = sample_texture(material.metallic_roughness_texture, surface.texcoord, false);
+        roughness *= value.g;
+        surface.metallic *= value.b;
+    }
+    surface.alpha = roughness < SPECULAR_ROUGHNESS ? 0.0 : roughness * roughness;
+    surface.f0 = material.dielectric_f0;
+    surface.f90 = material.dielectric_f90;
+    surface.emission = emitted_radiance(material, surface.texcoord, front);
+}
+
+/// @param direction of the ray that hit
+Surface make_surface(Hit hit, vec3 direction) {
+    BvhTriangle vertices = bvh_triangles[hit.triangle];
+    TriangleInfo info = triangle_infos[hit.triangle];
+    Surface surface;
+    surface.position = triangle_point(vertices, hit.b1, hit.b2);
+    surface.error_bound = triangle_point_error(vertices, hit.b1, hit.b2);
+    surface.triangle = hit.triangle;
+    surface.material = info.material;
+    surface.instance = info.instance;
+
+    vec3 ng = normalize_any_scale(triangle_cross(vertices));
+    bool front = dot(ng, direction) < 0.0;
+    vec3 ns = normalize_any_scale(interpolated_normal(info.vertices, hit.b1, hit.b2));
+    // Vertex normals that cancel or point through the surface are no use: the geometric normal stands in.
+    if (!(dot(ns, ng) > 0.0)) ns = ng;
+    surface.ng = front ? ng : -ng;
+    surface.ns = front ? ns : -ns;
+    surface.texcoord = HAS_TEXTURES ? interpolated_texcoord(info.vertices, hit.b1, hit.b2) : vec2(0.0);
+    evaluate_material(surface, materials[info.material], front);
+    // A rough lobe is defined for viewers above the shading normal's horizon; a mirror copes (mirror_direction()).
+    if (surface.alpha > 0.0 && dot(surface.ns, direction) >= 0.0) surface.ns = surface.ng;
+    return surface;
+}
+
+vec3 leave_surface(Surface surface, vec3 w) {
+    return offset_origin(surface.position, surface.error_bound, surface.ng, w);
+}
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texture lookups from a buffer of RGBA8 texels, filtered here so that every device gives the same picture. The
+// including kernel declares the buffers texture_headers and texels.
+#ifndef UTSURI_LIB_TEXTURE
+#define UTSURI_LIB_TEXTURE
+
+/// Texel index for any integer, by the wrap modes of scene/texture.h.
+int wrap_texel(int i, int size, uint mode) {
+    if (mode == 1u) return clamp(i, 0, size - 1);
+    if (mode == 2u) {
+        int period = 2 * size;
+        int j = i - period * int(floor(float(i) / float(period)));
+        return j < size ? j : period - 1 - j;
+    }
+    return i - size * int(floor(float(i) / float(size)));
+}
+
+vec3 srgb_to_linear(vec3 c) {
+    vec3 low = c / 12.92;
+    vec3 high = pow((c + 0.055) / 1.055, vec3(2.4));
+    return mix(high, low, lessThanEqual(c, vec3(0.04045)));
+}
+
+vec3 fetch_texel(TextureHeader header, ivec2 position, uint sampling, bool srgb) {
+    int x = wrap_texel(position.x, int(header.width), sampling & 3u);
+    int y = wrap_texel(position.y, int(header.height), (sampling >> 2) & 3u);
+    vec3 value = unpackUnorm4x8(texels[header.first_texel + uint(y) * header.width + uint(x)]).rgb;
+    return srgb ? srgb_to_linear(value) : value;
+}
+
+/// Linear value at a texture coordinate, v downwards from the top row.
+vec3 sample_texture(TextureSlotInfo slot, vec2 texcoord, bool srgb) {
+    TextureHeader header = texture_headers[slot.texture];
+    // Beyond this range float32 cannot tell texels apart anyway; it keeps the integer conversion defined.
+    vec2 position = clamp(texcoord * vec2(header.width, header.height), vec2(-16777216.0), vec2(16777216.0));
+    if ((slot.sampling & 16u) == 0u) {
+        return fetch_texel(header, ivec2(floor(position)), slot.sampling, srgb);
+    }
+    vec2 corner = floor(position - 0.5);
+    vec2 f = position - 0.5 - corner;
+    ivec2 i = ivec2(corner);
+    vec3 top = mix(fetch_texel(header, i, slot.sampling, srgb),
+                   fetch_texel(header, i + ivec2(1, 0), slot.sampling, srgb), f.x);
+    vec3 bottom = mix(fetch_texel(header, i + ivec2(0, 1), slot.sampling, srgb),
+                      fetch_texel(header, i + ivec2(1, 1), slot.sampling, srgb), f.x);
+    return mix(top, bottom, f.y);
+}
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Closest-hit and any-hit search of the BVH. The including kernel declares before: STACK_SIZE (the depth of the tree),
+// EXCLUDES_INSTANCE, and the buffers bvh_nodes, bvh_triangles and triangle_infos.
+#ifndef UTSURI_LIB_TRAVERSAL
+#define UTSURI_LIB_TRAVERSAL
+
+#include "lib/bvh_node.glsl"
+#include "lib/triangle.glsl"
+
+struct Ray {
+    vec3 origin;
+    vec3 direction;           ///< any length but zero; t is in multiples of it
+    float t_max;
+    uint excluded[2];         ///< triangles that cannot be hit: the one left, the one aimed at; or NONE
+    uint excluded_instance;   ///< honoured where EXCLUDES_INSTANCE
+};
+
+struct Hit {
+    float t;
+    uint triangle;   ///< NONE where nothing is hit
+    float b1;
+    float b2;
+};
+
+Ray make_ray(vec3 origin, vec3 direction, uint leaving_triangle, uint excluded_instance) {
+    return Ray(origin, direction, INFINITY, uint[2](leaving_triangle, NONE), excluded_instance);
+}
+
+/// 0 < t <= best.t, and of equal distances the lowest triangle index, whatever the order of the search.
+bool is_closer(TriangleHit candidate, uint triangle, Hit best) {
+    return candidate.hit && candidate.t > 0.0 &&
+           (candidate.t < best.t || (candidate.t == best.t && triangle < best.triangle));
+}
+
+bool is_excluded(Ray ray, uint triangle) {
+    if (triangle == ray.excluded[0] || triangle == ray.excluded[1]) return true;
+    return EXCLUDES_INSTANCE && triangle_infos[triangle].instance == ray.excluded_instance;
+}
+
+/// The nodes and triangles of a group still to visit are bits of one word: see hit_children().
+Hit traverse(Ray ray, bool any_hit) {
+    const uint NODE_MASK = ~((1u << BVH_NODE_BITS) - 1u);
+    BoxRay box_ray = make_box_ray(ray.origin, ray.direction);
+    ShearedRay sheared = shear_ray(ray.origin, ray.direction);
+    Hit best = Hit(ray.t_max, NONE, 0.0, 0.0);
+    uvec2 stack[STACK_SIZE];
+    uint stack_size = 0u;
+    uvec2 group = uvec2(0u, 1u << 31);  // the root, as if it were the only child of a node
+    uvec2 leaf = uvec2(0u);             // first triangle of a node, and a bit for each to be tested
+    bool searching = true;
+    while (searching) {
+        // Nodes until triangles turn up: a subgroup then tests the triangles of all its rays together.
+        while (leaf.y == 0u) {
+            if ((group.y & NODE_MASK) == 0u) {
+                if (stack_size == 0u) {
+                    searching = false;
+                    break;
+                }
+                group = stack[--stack_size];
+            }
+            uint bit = uint(findMSB(group.y));
+            group.y &= ~(1u << bit);
+            if ((group.y & NODE_MASK) != 0u) stack[stack_size++] = group;
+
+            uint slot = (bit - BVH_NODE_BITS) ^ box_ray.octant;
+            BvhNode node = bvh_nodes[group.x + bitCount(group.y & ((1u << slot) - 1u))];
+            uint hits = hit_children(node, box_ray, best.t);
+            group = uvec2(node.bases_meta.x, (hits & NODE_MASK) | (node.origin_exponents.w >> BVH_NODE_BITS));
+            leaf = uvec2(node.bases_meta.y, hits & ~NODE_MASK);
+        }
+        while (leaf.y != 0u) {
+            uint triangle = leaf.x + uint(findLSB(leaf.y));
+            leaf.y &= leaf.y - 1u;
+            BvhTriangle vertices = bvh_triangles[triangle];
+            TriangleHit candidate = intersect_triangle(sheared, vertices.v0, vertices.v1, vertices.v2);
+            if (is_closer(candidate, triangle, best) && !is_excluded(ray, triangle)) {
+                best = Hit(candidate.t, triangle, candidate.b1, candidate.b2);
+                if (any_hit) {
+                    searching = false;
+                    leaf.y = 0u;
+                }
+            }
+        }
+    }
+    return best;
+}
+
+Hit closest_hit(Ray ray) {
+    return traverse(ray, false);
+}
+
+bool is_occluded(Ray ray) {
+    return traverse(ray, true).triangle != NONE;
+}
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/file.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <system_error>
+
+#include "base/error.h"
+
+namespace utsuri {
+namespace fs = std::filesystem;
+
+std::vector<std::byte> read_file(const fs::path& path, std::string_view operation) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) {
+        throw InputError(operation, fmt::format("'{}'", path.string()), "no such file");
+    }
+    if (fs::is_directory(status)) {
+        throw InputError(operation, fmt::format("'{}'", path.string()), "is a folder, expected a file");
+    }
+    std::ifstream stream(path, std::ios::binary);
+    const auto size = fs::file_size(path, error);
+    if (!stream || error) {
+        throw InputError(operation, fmt::format("'{}'", path.string()), "cannot be opened for reading");
+    }
+    std::vector<std::byte> bytes(size);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (!stream) {
+        throw InputError(operation, fmt::format("'{}'", path.string()),
+                         fmt::format("reading stopped after {} of {} bytes", stream.gcount(), size));
+    }
+    return bytes;
+}
+
+void write_file_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) {
+        throw InputError("write", fmt::format("'{}'", path.string()),
+                         fmt::format("the folder '{}' does not exist", folder.string()));
+    }
+    if (fs::is_directory(path, error)) {
+        throw InputError("write", fmt::format("'{}'", path.string()), "is a folder, expected a file name");
+    }
+    const fs::path temporary = folder / fmt::format("{}.partial{}", path.stem().string(), path.extension().string());
+    try {
+        write(temporary);
+        fs::rename(temporary, path, error);
+        if (error) {
+            throw InputError("write", fmt::format("'{}'", path.string()), error.message());
+        }
+    } catch (...) {
+        fs::remove(temporary, error);
+        throw;
+    }
+}
+
+void write_text_atomically(const fs::path& path, std::string_view text) {
+    write_file_atomically(path, [&](const fs::path& temporary) {
+        std::ofstream stream(temporary, std::ios::binary);
+        stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+        stream.close();
+        if (!stream) {
+            throw InputError("write", fmt::format("'{}'", path.string()),
+                             "cannot be written: is the folder writable, is the disk full?");
+        }
+    });
+}
+
+void make_output_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error || !fs::is_directory(folder)) {
+        throw InputError("create output folder", fmt::format("'{}'", folder.string()),
+                         error ? error.message() : std::string("a file of that name is in the way"));
+    }
+    const fs::path probe = folder / ".utsuri-write-probe";
+    std::ofstream stream(probe);
+    if (!stream) {
+        throw InputError("write into output folder", fmt::format("'{}'", folder.string()), "permission denied");
+    }
+    stream.close();
+    fs::remove(probe, error);
+}
+
+}  // namespace utsuri

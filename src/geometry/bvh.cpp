@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/bvh.h"
+
+#include <bit>
+#include <cmath>
+
+#include "geometry/binary_bvh.h"
+#include "geometry/wide_bvh.h"
+
+namespace utsuri {
+
+Bvh build_bvh(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
+    // Joining nodes never makes the tree deeper, so the bound on the binary tree bounds the wide one.
+    WideBvh wide = widen(build_binary_bvh(positions, triangles, interop::BVH_MAX_DEPTH));
+    Bvh bvh;
+    bvh.nodes = std::move(wide.nodes);
+    bvh.order = std::move(wide.order);
+    bvh.depth = wide.depth;
+    bvh.triangles.reserve(bvh.order.size());
+    for (const std::uint32_t input : bvh.order) {
+        const glm::uvec3& triangle = triangles[input];
+        bvh.triangles.push_back({positions[triangle.x], positions[triangle.y], positions[triangle.z]});
+    }
+    return bvh;
+}
+
+ChildBox child_box(const interop::BvhNode& node, std::uint32_t slot) {
+    const glm::uvec3 lower(packed_byte(node.lower_xy.x, node.lower_xy.y, slot),
+                           packed_byte(node.lower_xy.z, node.lower_xy.w, slot),
+                           packed_byte(node.lower_z_upper_x.x, node.lower_z_upper_x.y, slot));
+    const glm::uvec3 upper(packed_byte(node.lower_z_upper_x.z, node.lower_z_upper_x.w, slot),
+                           packed_byte(node.upper_yz.x, node.upper_yz.y, slot),
+                           packed_byte(node.upper_yz.z, node.upper_yz.w, slot));
+    ChildBox box{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto origin = static_cast<double>(std::bit_cast<float>(node.origin_exponents[axis]));
+        const int exponent = static_cast<int>((node.origin_exponents.w >> (8 * axis)) & 0xffu) - 127;
+        box.lower[axis] = origin + std::ldexp(static_cast<double>(lower[axis]), exponent);
+        box.upper[axis] = origin + std::ldexp(static_cast<double>(upper[axis]), exponent);
+    }
+    return box;
+}
+
+SlotContent slot_content(const interop::BvhNode& node, std::uint32_t slot) {
+    SlotContent content;
+    const std::uint32_t meta = packed_byte(node.bases_meta.z, node.bases_meta.w, slot);
+    const std::uint32_t node_slots = node.origin_exponents.w >> 24;
+    if ((node_slots >> slot & 1u) != 0) {
+        content.is_node = true;
+        content.node = node.bases_meta.x +
+                       static_cast<std::uint32_t>(std::popcount(node_slots & ((1u << slot) - 1u)));
+    } else if (meta != 0) {
+        content.first_triangle = node.bases_meta.y + (meta & 0x1fu);
+        content.triangle_count = static_cast<std::uint32_t>(std::popcount(meta >> 5));
+    }
+    return content;
+}
+
+}  // namespace utsuri

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "interop/bvh.h"
+
+namespace utsuri {
+
+/// A BVH as the device reads it.
+struct Bvh {
+    std::vector<interop::BvhNode> nodes;          ///< at least the root
+    std::vector<interop::BvhTriangle> triangles;  ///< in device order
+    std::vector<std::uint32_t> order;             ///< order[device triangle] = input triangle
+    std::uint32_t depth = 1;                      ///< at most interop::BVH_MAX_DEPTH
+};
+
+/// Builds the BVH of a triangle soup; see binary_bvh.h and wide_bvh.h for the methods and their guarantees.
+/// @param positions finite vertices, metres
+/// @param triangles indices into positions, in range
+Bvh build_bvh(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
+
+/// Box of the child in `slot` of a node, as the device sees it, in float64 without rounding.
+struct ChildBox {
+    glm::dvec3 lower;
+    glm::dvec3 upper;
+};
+ChildBox child_box(const interop::BvhNode& node, std::uint32_t slot);
+
+/// Byte `slot` of two packed words.
+inline std::uint32_t packed_byte(std::uint32_t low, std::uint32_t high, std::uint32_t slot) {
+    return ((slot < 4 ? low : high) >> (8 * (slot % 4))) & 0xffu;
+}
+
+/// Meta byte of a slot (see interop/bvh.h) taken apart.
+struct SlotContent {
+    bool is_node = false;
+    std::uint32_t node = 0;            ///< index of the child node
+    std::uint32_t first_triangle = 0;  ///< device triangles of the leaf
+    std::uint32_t triangle_count = 0;  ///< 0 for a node or an empty slot
+};
+SlotContent slot_content(const interop::BvhNode& node, std::uint32_t slot);
+
+}  // namespace utsuri

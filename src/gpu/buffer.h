@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "gpu/device.h"
+
+namespace utsuri {
+
+/// A storage buffer with its own memory, in device memory where there is some. Move-only.
+class Buffer {
+  public:
+    /// @param bytes at least 1; at most the device's storage range
+    /// @param name shown in messages and debuggers
+    /// @throws DeviceError naming the buffer and its size if it cannot be had
+    Buffer(Device& device, std::uint64_t bytes, std::string name);
+    Buffer(Buffer&& other) noexcept;
+    Buffer& operator=(Buffer&& other) noexcept;
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+    ~Buffer();
+
+    [[nodiscard]] vk::Buffer handle() const { return **buffer_; }
+    [[nodiscard]] std::uint64_t size() const { return size_; }
+    [[nodiscard]] const std::string& name() const { return name_; }
+
+    void upload(std::span<const std::byte> bytes, std::uint64_t offset = 0);
+    void download(std::span<std::byte> bytes, std::uint64_t offset = 0) const;
+    void fill_with_zero();
+
+    /// `count` records from the front.
+    template <typename Record>
+    [[nodiscard]] std::vector<Record> download_records(std::size_t count) const {
+        static_assert(std::is_trivially_copyable_v<Record>);
+        std::vector<Record> records(count);
+        download(std::as_writable_bytes(std::span(records)));
+        return records;
+    }
+
+  private:
+    void release() noexcept;
+
+    Device* device_;
+    std::uint64_t size_;
+    std::string name_;
+    std::optional<vk::raii::Buffer> buffer_;
+    std::optional<vk::raii::DeviceMemory> memory_;
+    std::uint64_t allocated_ = 0;
+    bool host_visible_ = false;
+};
+
+/// A buffer that holds the given records. Without records it holds one zeroed record, because Vulkan has no empty
+/// buffers.
+template <typename Record>
+Buffer make_buffer(Device& device, std::span<const Record> records, std::string name) {
+    static_assert(std::is_trivially_copyable_v<Record>);
+    Buffer buffer(device, std::max<std::uint64_t>(records.size_bytes(), sizeof(Record)), std::move(name));
+    if (records.empty()) {
+        buffer.fill_with_zero();
+    } else {
+        buffer.upload(std::as_bytes(records));
+    }
+    return buffer;
+}
+
+}  // namespace utsuri

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vulkan/vulkan_raii.hpp>
+
+#include <string_view>
+#include <utility>
+
+#include "base/error.h"
+
+namespace utsuri {
+
+/// Runs a function of Vulkan calls; a failing one becomes a DeviceError that names operation, object and result.
+template <typename Function>
+auto vulkan_call(std::string_view operation, std::string_view object, Function&& function) {
+    try {
+        return std::forward<Function>(function)();
+    } catch (const vk::SystemError& error) {
+        throw DeviceError(operation, object, error.what());
+    }
+}
+
+}  // namespace utsuri

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/vulkan_instance.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "gpu/vulkan_call.h"
+
+namespace utsuri {
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+    static_cast<ValidationMessages*>(user)->add(data->pMessage != nullptr ? data->pMessage : "(no text)");
+    return VK_FALSE;
+}
+
+vk::DebugUtilsMessengerCreateInfoEXT messenger_info(ValidationMessages* messages) {
+    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+    using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+    return vk::DebugUtilsMessengerCreateInfoEXT{{}, Severity::eWarning | Severity::eError,
+                                                Type::eValidation | Type::ePerformance, on_message, messages};
+}
+
+bool has_extension(const std::vector<vk::ExtensionProperties>& available, const char* name) {
+    return std::any_of(available.begin(), available.end(), [&](const vk::ExtensionProperties& properties) {
+        return std::strcmp(properties.extensionName, name) == 0;
+    });
+}
+
+}  // namespace
+
+void ValidationMessages::add(std::string message) {
+    const std::lock_guard lock(mutex_);
+    messages_.push_back(std::move(message));
+}
+
+std::vector<std::string> ValidationMessages::take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(messages_, {});
+}
+
+VulkanInstance::VulkanInstance(Validation validation) {
+    const auto extensions = context_.enumerateInstanceExtensionProperties();
+    std::vector<const char*> enabled;
+    vk::InstanceCreateFlags flags;
+    debug_utils_ = has_extension(extensions, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    if (debug_utils_) enabled.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    // Drivers that map Vulkan onto another API (MoltenVK) are only listed to those who ask for them.
+    if (has_extension(extensions, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME)) {
+        enabled.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+        flags |= vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR;
+    }
+    std::vector<const char*> layers;
+    if (validation == Validation::on) layers.push_back(kValidationLayer);
+
+    const vk::ApplicationInfo application("utsuri", 1, "utsuri", 1, VK_API_VERSION_1_3);
+    const vk::InstanceCreateInfo info(flags, &application, layers, enabled);
+    const vk::ValidationFeatureEnableEXT synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
+    vk::StructureChain<vk::InstanceCreateInfo, vk::DebugUtilsMessengerCreateInfoEXT, vk::ValidationFeaturesEXT> chain(
+        info, messenger_info(messages_.get()), vk::ValidationFeaturesEXT(synchronization));
+    if (validation == Validation::off || !debug_utils_) {
+        chain.unlink<vk::DebugUtilsMessengerCreateInfoEXT>();
+        chain.unlink<vk::ValidationFeaturesEXT>();
+    }
+    instance_ = vulkan_call("connect to Vulkan", validation == Validation::on ? kValidationLayer : "",
+                            [&] { return vk::raii::Instance(context_, chain.get<vk::InstanceCreateInfo>()); });
+    if (validation == Validation::on && debug_utils_) {
+        messenger_.emplace(*instance_, messenger_info(messages_.get()));
+    }
+}
+
+}  // namespace utsuri

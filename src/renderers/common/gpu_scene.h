@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/kernel.h"
+#include "renderers/common/scene_data.h"
+
+namespace utsuri {
+
+/// A scene on the device, with what kernels need to know about it before they are compiled.
+class GpuScene {
+  public:
+    /// @throws DeviceError if the scene does not fit
+    GpuScene(Device& device, const SceneData& data);
+    GpuScene(const GpuScene&) = delete;
+    GpuScene& operator=(const GpuScene&) = delete;
+
+    /// Binding numbers of the scene's buffers. Buffers the scene does not require stand in as one zeroed record.
+    [[nodiscard]] Bindings bindings() const;
+    /// Values of the constants that follow from the scene.
+    [[nodiscard]] const Specialization& specialization() const { return specialization_; }
+
+  private:
+    Specialization specialization_;
+    Buffer nodes_;
+    Buffer triangles_;
+    Buffer triangle_infos_;
+    Buffer normals_;
+    Buffer texcoords_;
+    Buffer materials_;
+    Buffer lights_;
+    Buffer light_table_;
+    Buffer texture_headers_;
+    Buffer texels_;
+};
+
+}  // namespace utsuri

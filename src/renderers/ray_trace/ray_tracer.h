@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/common/gpu_scene.h"
+#include "renderers/common/renderer.h"
+
+namespace utsuri {
+
+/// direct/trace: direct light with shadows, perfect mirrors followed ray by ray.
+class RayTracer : public Renderer {
+  public:
+    /// `device` and `scene` must outlive this.
+    RayTracer(Device& device, const GpuScene& scene, const interop::CameraInfo& camera,
+              const RenderSettings& settings);
+
+    void prepare(Progress& progress) override;
+
+  protected:
+    FrameCounts render(Film& film, std::uint32_t count, Progress& progress) override;
+
+  private:
+    Device& device_;
+    FrameSettings frame_;
+    FilmKernel kernel_;
+};
+
+}  // namespace utsuri

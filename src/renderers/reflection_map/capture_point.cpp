@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection_map/capture_point.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "geometry/reference_intersection.h"
+
+namespace utsuri {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kDirections = 64;
+/// Surface points of the instance that are looked at to see whether it is exposed.
+constexpr std::size_t kSurfaceSamples = 16;
+
+/// Evenly spread unit vectors (spherical Fibonacci points).
+std::vector<glm::dvec3> directions() {
+    std::vector<glm::dvec3> result;
+    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    for (int i = 0; i < kDirections; ++i) {
+        const double z = 1.0 - (2.0 * i + 1.0) / kDirections;
+        const double radius = std::sqrt(1.0 - z * z);
+        result.emplace_back(radius * std::cos(golden_angle * i), radius * std::sin(golden_angle * i), z);
+    }
+    return result;
+}
+
+std::optional<ReferenceHit> look(const SceneData& scene, std::uint32_t instance, const glm::dvec3& origin,
+                                 const glm::dvec3& direction) {
+    return closest_hit_reference(scene.bvh, origin, direction, kInfinity, [&](std::uint32_t triangle) {
+        return scene.triangle_infos[triangle].instance != instance;
+    });
+}
+
+std::vector<std::uint32_t> triangles_of(const SceneData& scene, std::uint32_t instance) {
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t t = 0; t < scene.triangle_infos.size(); ++t) {
+        if (scene.triangle_infos[t].instance == instance) result.push_back(t);
+    }
+    return result;
+}
+
+/// Whether most of a spread of points on the instance are outside other geometry. An instance whose surface sees as
+/// many backs as its centre is not buried: the scene just shows it backs, like a room modelled inside out.
+bool is_exposed(const SceneData& scene, std::uint32_t instance, const std::vector<std::uint32_t>& triangles) {
+    const std::size_t step = std::max<std::size_t>(1, triangles.size() / kSurfaceSamples);
+    std::size_t samples = 0;
+    std::size_t inside = 0;
+    for (std::size_t i = 0; i < triangles.size(); i += step, ++samples) {
+        const interop::BvhTriangle& triangle = scene.bvh.triangles[triangles[i]];
+        const glm::dvec3 centre = (glm::dvec3(triangle.v0) + glm::dvec3(triangle.v1) + glm::dvec3(triangle.v2)) / 3.0;
+        if (is_inside_geometry(scene, instance, centre)) ++inside;
+    }
+    return 2 * inside < samples;
+}
+
+/// The nearest point outside, found along rays that leave through the back of a surface.
+glm::dvec3 move_out(const SceneData& scene, std::uint32_t instance, const glm::dvec3& centre, double radius) {
+    glm::dvec3 best = centre;
+    double best_distance = kInfinity;
+    for (const glm::dvec3& direction : directions()) {
+        const auto exit = look(scene, instance, centre, direction);
+        if (!exit || !exit->back_face || exit->t >= best_distance) continue;
+        const glm::dvec3 surface = centre + exit->t * direction;
+        const auto next = look(scene, instance, surface + 1e-9 * exit->t * direction, direction);
+        // Half way to what comes next, but no farther than half the object: maps are truest near it.
+        const double clearance = 0.5 * std::min(next ? next->t : kInfinity, radius);
+        const glm::dvec3 candidate = surface + clearance * direction;
+        if (is_inside_geometry(scene, instance, candidate)) continue;
+        best = candidate;
+        best_distance = exit->t;
+    }
+    return best;
+}
+
+}  // namespace
+
+bool is_inside_geometry(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point) {
+    int backs = 0;
+    for (const glm::dvec3& direction : directions()) {
+        const auto hit = look(scene, instance, point, direction);
+        if (hit && hit->back_face) ++backs;
+    }
+    return 2 * backs > kDirections;
+}
+
+glm::dvec3 find_capture_point(const SceneData& scene, std::uint32_t instance) {
+    const std::vector<std::uint32_t> triangles = triangles_of(scene, instance);
+    Bounds bounds;
+    for (const std::uint32_t triangle : triangles) {
+        bounds.extend(scene.bvh.triangles[triangle].v0);
+        bounds.extend(scene.bvh.triangles[triangle].v1);
+        bounds.extend(scene.bvh.triangles[triangle].v2);
+    }
+    if (bounds.empty()) return glm::dvec3(0.0);
+    const glm::dvec3 centre = 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
+    if (!is_inside_geometry(scene, instance, centre) || !is_exposed(scene, instance, triangles)) return centre;
+    return move_out(scene, instance, centre, 0.5 * glm::length(glm::dvec3(bounds.extent())));
+}
+
+}  // namespace utsuri

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection_map/reflection_maps.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "interop/bindings.h"
+#include "interop/specialization.h"
+#include "kernels/resolve_map.h"
+#include "kernels/trace_direct.h"
+#include "renderers/reflection_map/capture_point.h"
+
+namespace utsuri {
+namespace {
+
+std::uint64_t texels_per_map(std::uint32_t size) {
+    const std::uint64_t stride = std::uint64_t{size} + 2 * interop::MAP_BORDER;
+    return stride * stride;
+}
+
+/// Texels of all maps; throws where one buffer cannot hold them.
+std::uint64_t total_texels(const Device& device, std::size_t reflectors, std::uint32_t maps,
+                           const MapSettings& settings) {
+    const std::uint64_t count = static_cast<std::uint64_t>(reflectors) * maps;
+    const std::uint64_t limit = device.summary().storage_range_bytes / sizeof(glm::vec3);
+    if (count * texels_per_map(settings.size) > limit) {
+        const double per_map = std::sqrt(static_cast<double>(limit) / static_cast<double>(count));
+        throw UsageError("capture reflection maps", fmt::format("of {} texels for {} reflective objects",
+                                                                settings.size, reflectors),
+                         fmt::format("they need {} MiB and {} can see {} MiB of a buffer; --map-size may be at most {}",
+                                     count * texels_per_map(settings.size) * sizeof(glm::vec3) >> 20,
+                                     device.summary().name, device.summary().storage_range_bytes >> 20,
+                                     std::max(1, static_cast<int>(per_map) - 2)));
+    }
+    return count * texels_per_map(settings.size);
+}
+
+std::vector<interop::ReflectorInfo> place_reflectors(const SceneData& data, const Reflectors& reflectors,
+                                                     std::uint32_t maps, const MapSettings& settings) {
+    std::vector<interop::ReflectorInfo> infos;
+    std::uint64_t first_texel = 0;
+    for (const std::uint32_t instance : reflectors.instances) {
+        const glm::dvec3 point = settings.capture_point ? *settings.capture_point - data.origin
+                                                        : find_capture_point(data, instance);
+        infos.push_back({glm::vec3(point), static_cast<std::uint32_t>(first_texel)});
+        first_texel += maps * texels_per_map(settings.size);
+    }
+    return infos;
+}
+
+glm::vec3 axis(std::uint32_t index) {
+    glm::vec3 result(0.0f);
+    result[static_cast<int>(index % 3)] = 1.0f;
+    return result;
+}
+
+}  // namespace
+
+ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind kind, const MapSettings& settings)
+    : device_(&device), kind_(kind), settings_(settings), reflectors_(find_reflectors(data)),
+      infos_(place_reflectors(data, reflectors_, maps_per_reflector(), settings)),
+      instance_reflectors_(
+          make_buffer<std::uint32_t>(device, reflectors_.instance_reflectors, "reflector of each instance")),
+      reflector_infos_(make_buffer<interop::ReflectorInfo>(device, infos_, "reflectors")),
+      vertex_slots_(make_buffer<std::uint32_t>(device, reflectors_.vertex_slots, "slot of each vertex")),
+      texels_(device,
+              std::max<std::uint64_t>(1, total_texels(device, infos_.size(), maps_per_reflector(), settings)) *
+                  sizeof(glm::vec3),
+              "reflection maps") {}
+
+interop::CameraInfo ReflectionMaps::map_camera(std::uint32_t reflector, std::uint32_t face, const Camera& eye) const {
+    // The picture reaches half a border texel's neighbours beyond the map: see MAP_BORDER.
+    const float edge = static_cast<float>(stride()) / static_cast<float>(settings_.size);
+    interop::CameraInfo camera{};
+    camera.origin = infos_[reflector].capture_point;
+    if (kind_ == MapKind::sphere) {
+        camera.right = edge * glm::vec3(eye.right);
+        camera.up = edge * glm::vec3(eye.up);
+        camera.forward = glm::vec3(eye.forward);
+        return camera;
+    }
+    const std::uint32_t along = face / 2;
+    camera.right = edge * axis(along + 1);
+    camera.up = edge * axis(along + 2);
+    camera.forward = (face % 2 == 0 ? 1.0f : -1.0f) * axis(along);
+    return camera;
+}
+
+FrameCounts ReflectionMaps::capture(const GpuScene& scene, const Camera& eye, const RenderSettings& settings,
+                                    double& seconds_to_compile, Progress& progress) {
+    FrameCounts counts;
+    if (infos_.empty()) return counts;
+    Specialization specialization = scene.specialization();
+    specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
+    specialization[interop::SPEC_PROJECTION] =
+        kind_ == MapKind::polygon ? interop::PROJECTION_PERSPECTIVE : interop::PROJECTION_SPHERE_MAP;
+    FilmKernel tracer(*device_, "trace_direct for maps", kernels::trace_direct, specialization, scene.bindings());
+    const Kernel resolver(*device_, "resolve_map", kernels::resolve_map, {}, sizeof(interop::ResolveMapPush));
+    Film film(*device_, stride(), stride(), "map film");
+    seconds_to_compile = tracer.warm_up(film);
+    Progress silent;
+
+    const auto maps = static_cast<std::uint32_t>(infos_.size()) * maps_per_reflector();
+    for (std::uint32_t map = 0; map < maps; ++map) {
+        if (progress.cancelled()) throw Interrupted();
+        const std::uint32_t reflector = map / maps_per_reflector();
+        film.clear();
+        FrameSettings frame;
+        frame.camera = map_camera(reflector, map % maps_per_reflector(), eye);
+        // Any odd multiple of the map's number keeps the samples of maps and picture apart.
+        frame.seed = settings.seed ^ (0x9e3779b9u * (map + 1));
+        frame.specular_depth = settings.specular_depth;
+        frame.excluded_instance = reflectors_.instances[reflector];
+        accumulate(counts, tracer.add_samples(film, frame, settings_.samples, silent));
+
+        interop::ResolveMapPush push{};
+        push.samples = settings_.samples;
+        for (const Film::Band& band : film.bands()) {
+            push.texels = stride() * band.rows;
+            push.first_texel = infos_[reflector].first_texel +
+                               (map % maps_per_reflector() * stride() + band.first_row) * stride();
+            const BindingSet set = resolver.bind({{interop::BINDING_FILM, &band.pixels},
+                                                  {interop::BINDING_MAP_TEXELS, &texels_}});
+            counts.gpu_seconds += device_->run("resolve a map", [&](const vk::raii::CommandBuffer& commands) {
+                resolver.dispatch(commands, set, push, (push.texels + 63) / 64);
+            });
+        }
+        progress.update(map + 1, maps);
+    }
+    return counts;
+}
+
+Bindings ReflectionMaps::bindings() const {
+    return {{interop::BINDING_INSTANCE_REFLECTORS, &instance_reflectors_},
+            {interop::BINDING_REFLECTORS, &reflector_infos_},
+            {interop::BINDING_VERTEX_SLOTS, &vertex_slots_},
+            {interop::BINDING_MAP_TEXELS, &texels_}};
+}
+
+Image ReflectionMaps::map(std::uint32_t reflector, std::uint32_t face) const {
+    Image image(stride(), stride());
+    const std::uint64_t first = infos_[reflector].first_texel + face * texels_per_map(settings_.size);
+    texels_.download(std::as_writable_bytes(std::span(image.pixels)), first * sizeof(glm::vec3));
+    return image;
+}
+
+}  // namespace utsuri
