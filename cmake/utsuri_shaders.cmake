@@ -15,7 +15,7 @@ function(utsuri_add_kernels target)
         set(header ${folder}/kernels/${name}.h)
         add_custom_command(
             OUTPUT ${spirv}
-            COMMAND ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.3 -I${CMAKE_CURRENT_SOURCE_DIR}
+            COMMAND ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.3 -I${CMAKE_CURRENT_SOURCE_DIR} -I${PROJECT_SOURCE_DIR}/shaders
                     --depfile ${spirv}.d -o ${spirv} ${source}
             COMMAND ${SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${spirv}
             MAIN_DEPENDENCY ${source}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Direct light at a surface: one light sample with a shadow ray, and where the surface is glossy one sample of its
-// lobe, weighted by the balance heuristic (Veach and Guibas 1995).
+// lobe; the two share the work by the balance heuristic (Veach and Guibas 1995).
 #ifndef UTSURI_LIB_DIRECT_LIGHT
 #define UTSURI_LIB_DIRECT_LIGHT
 
@@ -19,15 +19,52 @@ bool is_light_visible(Surface surface, LightSample s, uint excluded_instance) {
     return !is_occluded(ray);
 }
 
-vec3 light_by_light_sample(Surface surface, vec3 wo, float choice, vec2 u, uint excluded_instance, inout uint rays) {
+/// Light samples weighed against each other before the shadow ray; none to weigh in a scene with one light.
+const uint MOST_CANDIDATES = 8u;
+
+/// One light sample, as if no other could have been taken, and what it brings without regard to shadows.
+struct Candidate {
+    LightSample light;
+    vec3 value;
+};
+
+Candidate make_candidate(Surface surface, vec3 wo, float choice, vec2 u) {
     LightSample s = sample_light(choose_light(choice), surface, u);
-    vec3 value = evaluate_bsdf(surface, wo, s.direction) * s.irradiance * dot(surface.ns, s.direction);
-    if (value == vec3(0.0)) return value;
-    if (HAS_GLOSSY && s.pdf > 0.0 && is_glossy(surface)) {
+    vec3 value = evaluate_bsdf(surface, wo, s.direction) * s.irradiance * max(dot(surface.ns, s.direction), 0.0);
+    if (HAS_GLOSSY && s.pdf > 0.0 && is_glossy(surface) && value != vec3(0.0)) {
         value *= s.pdf / (s.pdf + glossy_pdf(surface, wo, s.direction));
     }
+    return Candidate(s, value);
+}
+
+/// Resampled importance sampling (Talbot, Cline and Egbert 2005): of a few candidates, stratified over the light table,
+/// one is taken by its unshadowed value, so that near and facing lights are not left to chance.
+vec3 light_by_light_sample(Surface surface, vec3 wo, vec2 choice, vec2 u, uint excluded_instance, inout uint rays) {
+    uint count = min(LIGHT_COUNT, MOST_CANDIDATES);
+    Candidate taken;
+    float taken_weight = 0.0;
+    float sum = 0.0;
+    float remaining = choice.y;
+    for (uint i = 0u; i < count; ++i) {
+        // Shifted by a sequence that fills the square evenly (Roberts 2018); each candidate's u stays uniform.
+        vec2 shifted = fract(u + float(i) * vec2(0.754877666, 0.569840291));
+        Candidate candidate = make_candidate(surface, wo, (float(i) + choice.x) / float(count), shifted);
+        float weight = candidate.value.x + candidate.value.y + candidate.value.z;
+        if (!(weight > 0.0)) continue;
+        sum += weight;
+        float probability = weight / sum;
+        if (remaining < probability) {
+            taken = candidate;
+            taken_weight = weight;
+            remaining /= probability;
+        } else {
+            remaining = (remaining - probability) / (1.0 - probability);
+        }
+    }
+    if (taken_weight == 0.0) return vec3(0.0);
     rays += 1u;
-    return is_light_visible(surface, s, excluded_instance) ? value : vec3(0.0);
+    if (!is_light_visible(surface, taken.light, excluded_instance)) return vec3(0.0);
+    return taken.value * (sum / (taken_weight * float(count)));
 }
 
 vec3 light_by_glossy_sample(Surface surface, vec3 wo, vec2 u, uint excluded_instance, inout uint rays) {
@@ -60,7 +97,7 @@ vec3 light_by_glossy_sample(Surface surface, vec3 wo, vec2 u, uint excluded_inst
 vec3 direct_light(Surface surface, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
                   inout uint rays) {
     if (LIGHT_COUNT == 0u) return vec3(0.0);
-    float choice = sample_2d(key, index, dimension).x;
+    vec2 choice = sample_2d(key, index, dimension);
     vec2 u = sample_2d(key, index, dimension + 1u);
     vec3 radiance = light_by_light_sample(surface, wo, choice, u, excluded_instance, rays);
     if (HAS_GLOSSY && is_glossy(surface)) {

@@ -27,6 +27,8 @@ vk::raii::Device create_device(const vk::raii::PhysicalDevice& physical, std::ui
     v12.scalarBlockLayout = VK_TRUE;
     vk::PhysicalDeviceVulkan13Features v13;
     v13.synchronization2 = VK_TRUE;
+    // Every Vulkan 1.3 device has it; the kernels' workgroup sizes, which are specialization constants, need it.
+    v13.maintenance4 = VK_TRUE;
     const vk::StructureChain chain(vk::DeviceCreateInfo({}, queue, {}, extensions), v12, v13);
     return {physical, chain.get<vk::DeviceCreateInfo>()};
 }

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "gpu/device.h"
+#include "gpu/vulkan_call.h"
 
 namespace utsuri {
 namespace {
@@ -121,9 +122,7 @@ std::vector<DeviceSummary> list_devices(const VulkanInstance& instance) {
 DeviceSummary choose_device(const VulkanInstance& instance, std::string_view wanted) {
     const std::vector<DeviceSummary> devices = list_devices(instance);
     if (devices.empty()) {
-        throw DeviceError("choose a Vulkan device", "",
-                          "no Vulkan driver is installed; install your GPU's driver, or Mesa's software driver "
-                          "(Debian package mesa-vulkan-drivers)");
+        throw DeviceError("choose a Vulkan device", "", kNoDriver);
     }
     if (!wanted.empty()) {
         const std::vector<DeviceSummary> found = matching(devices, wanted);

@@ -30,6 +30,22 @@ bool has_extension(const std::vector<vk::ExtensionProperties>& available, const 
     });
 }
 
+/// Failures that a user can mend say how.
+vk::raii::Instance create_instance(const vk::raii::Context& context, const vk::InstanceCreateInfo& info) {
+    constexpr std::string_view kOperation = "connect to Vulkan";
+    return vulkan_call(kOperation, "", [&] {
+        try {
+            return vk::raii::Instance(context, info);
+        } catch (const vk::IncompatibleDriverError&) {
+            throw DeviceError(kOperation, "", kNoDriver);
+        } catch (const vk::LayerNotPresentError&) {
+            throw DeviceError(kOperation, kValidationLayer,
+                              "the layer is not installed; install it (Debian package vulkan-validationlayers) or turn "
+                              "validation off");
+        }
+    });
+}
+
 }  // namespace
 
 void ValidationMessages::add(std::string message) {
@@ -65,8 +81,7 @@ VulkanInstance::VulkanInstance(Validation validation) {
         chain.unlink<vk::DebugUtilsMessengerCreateInfoEXT>();
         chain.unlink<vk::ValidationFeaturesEXT>();
     }
-    instance_ = vulkan_call("connect to Vulkan", validation == Validation::on ? kValidationLayer : "",
-                            [&] { return vk::raii::Instance(context_, chain.get<vk::InstanceCreateInfo>()); });
+    instance_ = create_instance(context_, chain.get<vk::InstanceCreateInfo>());
     if (validation == Validation::on && debug_utils_) {
         messenger_.emplace(*instance_, messenger_info(messages_.get()));
     }

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/output.h"
+#include "cli/progress_line.h"
+#include "cli/session.h"
+#include "compare/comparison_json.h"
+#include "compare/comparison_table.h"
+#include "compare/run_comparison.h"
+#include "compare/write_comparison.h"
+
+#include "base/file.h"
+
+namespace utsuri {
+namespace {
+
+struct CompareOptions {
+    CommonOptions common;
+    PictureOptions picture;
+    std::string scene;
+    std::string folder;
+    std::string light = "direct";
+    std::string methods;
+    std::uint32_t samples = 16;
+    std::uint32_t reference_samples = 96;
+    std::optional<double> fail_above;
+};
+
+std::vector<Method> wanted_methods(const CompareOptions& options) {
+    const LightMethod light = parse_light(options.light);
+    if (options.methods.empty()) return all_methods(light);
+    std::vector<Method> methods;
+    for (const std::string& name : split_list(options.methods)) methods.push_back({light, parse_reflection(name)});
+    return methods;
+}
+
+/// Whether a method is farther from the reference than the user allows.
+bool differs(const Comparison& comparison, const CompareOptions& options) {
+    if (!options.fail_above) return false;
+    bool any = false;
+    for (const MethodResult& result : comparison.methods) {
+        if (result.metrics.rel_mse <= *options.fail_above) continue;
+        fmt::print(stderr, "{}: relMSE {:.3g} is above {:.3g}\n", method_name(result.method), result.metrics.rel_mse,
+                   *options.fail_above);
+        any = true;
+    }
+    return any;
+}
+
+ExitCode compare(const CompareOptions& options, const std::string& command_line) {
+    ComparisonSettings settings;
+    settings.render = options.picture.render_settings();
+    settings.maps = options.picture.map_settings();
+    settings.light = parse_light(options.light);
+    settings.methods = wanted_methods(options);
+    settings.samples = options.samples;
+    settings.reference_samples = options.reference_samples + options.reference_samples % 2;
+    settings.exposure = options.picture.exposure;
+    const std::filesystem::path scene_path(options.scene);
+    const std::filesystem::path folder =
+        options.folder.empty() ? "compare-" + scene_path.stem().string() : options.folder;
+
+    const LoadedScene loaded = load_scene(scene_path);
+    const Camera& camera = choose_camera(loaded.scene, options.picture.camera);
+    DeviceSession session(options.common);
+    make_output_folder(folder);
+    ProgressLine progress(options.common.quiet);
+    progress.begin("building the BVH");
+    const SceneData data = prepare_scene_data(loaded.scene);
+    const GpuScene scene(session.device(), data);
+    Comparison comparison = run_comparison({session.device(), data, scene, camera}, settings, progress);
+    comparison.scene = options.scene;
+    comparison.command = command_line;
+    comparison.import_seconds = loaded.import_seconds;
+    comparison.notes = loaded.notes;
+    progress.begin("writing the report");
+    write_comparison(comparison, folder);
+    progress.clear();
+
+    print_notes(options.common, loaded.notes);
+    print_text(options.common, comparison_table(comparison));
+    print_text(options.common, fmt::format("\n{}\n", (folder / "report.html").string()));
+    write_json(options.common, comparison_to_json(comparison));
+    session.check_validation();
+    if (comparison.interrupted) return ExitCode::interrupted;
+    return differs(comparison, options) ? ExitCode::difference : ExitCode::success;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, const std::string& command_line, Action& action) {
+    auto options = std::make_shared<CompareOptions>();
+    CLI::App* command = app.add_subcommand(
+        "compare", "Render a scene by several methods and hold them against a ray traced reference");
+    command->add_option("scene", options->scene, "glTF scene, .gltf or .glb")->required()->type_name("SCENE");
+    command->add_option("-o,--output", options->folder, "Folder for pictures, compare.json and report.html [compare-SCENE]")
+        ->type_name("DIR");
+    command->add_option("--light", options->light, "Light at diffuse surfaces: direct")->capture_default_str();
+    command->add_option("--methods", options->methods,
+                        "Reflections to compare, separated by commas [trace,polygon-map,sphere-map]");
+    command->add_option("--spp", options->samples, "Samples per pixel of each method")
+        ->check(CLI::Range(1u, 1u << 24))
+        ->capture_default_str();
+    command->add_option("--reference-spp", options->reference_samples, "Samples per pixel of the reference, made even")
+        ->check(CLI::Range(2u, 1u << 24))
+        ->capture_default_str();
+    command->add_option("--fail-above", options->fail_above, "Exit with 1 if the relMSE of a method is above this")
+        ->check(finite_range(0.0, std::numeric_limits<double>::max()));
+    add_picture_options(*command, options->picture);
+    add_common_options(*command, options->common);
+    command->callback([=, &action] { action = [=] { return compare(*options, command_line); }; });
+}
+
+}  // namespace utsuri

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/output.h"
+#include "cli/session.h"
+#include "compare/comparison_table.h"
+
+#include "renderers/common/film.h"
+
+namespace utsuri {
+namespace {
+
+struct InfoOptions {
+    CommonOptions common;
+    PictureOptions picture;
+    std::string scene;
+};
+
+/// Device memory that a run at the given settings will take, in bytes.
+struct Prediction {
+    std::uint64_t scene = 0;
+    std::uint64_t film = 0;
+    std::uint64_t polygon_maps = 0;   ///< with their film
+};
+
+Prediction predict(const SceneData& data, const RenderSettings& settings, const MapSettings& maps) {
+    Prediction prediction;
+    prediction.scene = data.device_bytes();
+    prediction.film = Film::bytes(settings.width, settings.height);
+    const std::uint64_t stride = std::uint64_t{maps.size} + 2 * interop::MAP_BORDER;
+    const std::uint64_t reflectors = data.requirements.reflective_instances.size();
+    if (reflectors > 0) {
+        prediction.polygon_maps = reflectors * interop::CUBE_FACES * stride * stride * sizeof(glm::vec3) +
+                                  Film::bytes(maps.size + 2, maps.size + 2);
+    }
+    return prediction;
+}
+
+std::string depth_text(std::uint32_t depth) {
+    return depth == kUnboundedSpecularDepth ? "unbounded (mirrors can face each other)" : fmt::format("{}", depth);
+}
+
+std::string yes(bool value) { return value ? "yes" : "no"; }
+
+std::string describe(const InfoOptions& options, const LoadedScene& loaded, const SceneData& data,
+                     const Prediction& memory) {
+    const Requirements& needs = data.requirements;
+    const glm::vec3 size = data.bounds.empty() ? glm::vec3(0.0f) : data.bounds.extent();
+    std::string text;
+    const auto row = [&](std::string_view name, const std::string& value) {
+        text += fmt::format("  {:<26}{}\n", name, value);
+    };
+    text += fmt::format("{}\n", options.scene);
+    row("size [m]", fmt::format("{:.4g} x {:.4g} x {:.4g}", size.x, size.y, size.z));
+    row("triangles", fmt::format("{} in {} instances", needs.triangles, needs.instances));
+    row("vertices", fmt::format("{}", needs.vertices));
+    row("materials in use", fmt::format("{}", needs.materials));
+    row("textures in use", fmt::format("{} with {} texels", needs.textures, format_count(static_cast<double>(needs.texels))));
+    for (std::size_t i = 0; i < loaded.scene.cameras.size(); ++i) {
+        row(i == 0 ? "cameras" : "", fmt::format("{}: {}", i, loaded.scene.cameras[i].name));
+    }
+    row("BVH", fmt::format("{} nodes, depth {}, built in {}", data.bvh.nodes.size(), data.bvh.depth,
+                           format_seconds(data.build_seconds)));
+    text += "requires\n";
+    row("emissive triangles", fmt::format("{}", needs.emissive_triangles));
+    row("punctual lights", fmt::format("{}", needs.punctual_lights));
+    row("uniform surroundings", yes(needs.environment));
+    row("texture lookups", yes(needs.textures > 0));
+    row("rough specular lobes", yes(needs.glossy));
+    row("mirrors", yes(needs.specular));
+    for (const std::uint32_t instance : needs.reflective_instances) {
+        row("", loaded.scene.instances[instance].name);
+    }
+    row("specular chain depth", depth_text(needs.specular_depth));
+    text += fmt::format("memory predicted at {}, maps of {}\n", options.picture.size, options.picture.map_size);
+    row("scene", format_bytes(memory.scene));
+    row("film", format_bytes(memory.film));
+    row("polygon maps", format_bytes(memory.polygon_maps));
+    if (!loaded.notes.empty()) text += "notes\n";
+    for (const std::string& note : loaded.notes) text += fmt::format("  {}\n", note);
+    return text;
+}
+
+nlohmann::ordered_json to_json(const InfoOptions& options, const LoadedScene& loaded, const SceneData& data,
+                               const Prediction& memory) {
+    const Requirements& needs = data.requirements;
+    nlohmann::ordered_json reflective = nlohmann::ordered_json::array();
+    for (const std::uint32_t instance : needs.reflective_instances) {
+        reflective.push_back(loaded.scene.instances[instance].name);
+    }
+    nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
+    for (const Camera& camera : loaded.scene.cameras) cameras.push_back(camera.name);
+    return {{"scene", options.scene},
+            {"triangles", needs.triangles},
+            {"vertices", needs.vertices},
+            {"instances", needs.instances},
+            {"materials", needs.materials},
+            {"textures", needs.textures},
+            {"texels", needs.texels},
+            {"cameras", cameras},
+            {"bvh_nodes", data.bvh.nodes.size()},
+            {"bvh_depth", data.bvh.depth},
+            {"requires",
+             {{"emissive_triangles", needs.emissive_triangles},
+              {"punctual_lights", needs.punctual_lights},
+              {"environment", needs.environment},
+              {"textures", needs.textures > 0},
+              {"glossy", needs.glossy},
+              {"specular", needs.specular},
+              {"reflective_instances", reflective},
+              {"specular_depth", needs.specular_depth == kUnboundedSpecularDepth
+                                     ? nlohmann::ordered_json(nullptr)
+                                     : nlohmann::ordered_json(needs.specular_depth)}}},
+            {"predicted_bytes",
+             {{"scene", memory.scene}, {"film", memory.film}, {"polygon_maps", memory.polygon_maps}}},
+            {"notes", loaded.notes}};
+}
+
+ExitCode info(const InfoOptions& options) {
+    const RenderSettings settings = options.picture.render_settings();
+    const LoadedScene loaded = load_scene(options.scene);
+    const SceneData data = prepare_scene_data(loaded.scene);
+    const Prediction memory = predict(data, settings, options.picture.map_settings());
+    print_text(options.common, describe(options, loaded, data, memory));
+    write_json(options.common, to_json(options, loaded, data, memory));
+    return ExitCode::success;
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, Action& action) {
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = app.add_subcommand("info", "Tell what a scene holds, what it requires and what is ignored");
+    command->add_option("scene", options->scene, "glTF scene, .gltf or .glb")->required()->type_name("SCENE");
+    command->add_option("--size", options->picture.size, "Picture size in pixels, for the memory prediction")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command->add_option("--map-size", options->picture.map_size, "Texels along an edge of a map, for the memory prediction")
+        ->check(CLI::Range(1u, 4096u))
+        ->capture_default_str();
+    add_common_options(*command, options->common);
+    command->callback([=, &action] { action = [=] { return info(*options); }; });
+}
+
+}  // namespace utsuri

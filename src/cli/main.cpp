@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <string>
+
+#include "cli/command.h"
+
+#include "base/error.h"
+#include "base/progress.h"
+#include "base/version.h"
+
+namespace utsuri {
+namespace {
+
+std::string quote(const std::string& argument) {
+    const bool plain = !argument.empty() && argument.find_first_of(" \t\n'\"\\$`*?;&|<>()[]{}!#~") == std::string::npos;
+    if (plain) return argument;
+    std::string quoted = "'";
+    for (const char c : argument) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+/// The command line as a shell would take it, for reports.
+std::string command_line(int argc, char** argv) {
+    std::string text = "utsuri";
+    for (int i = 1; i < argc; ++i) text += " " + quote(argv[i]);
+    return text;
+}
+
+int exit_status(ExitCode code) { return static_cast<int>(code); }
+
+int run(int argc, char** argv) {
+    CLI::App app("Renders a glTF scene by tracing rays and by reflection mapping, and measures what each costs and how "
+                 "wrong it is.",
+                 "utsuri");
+    app.set_version_flag("--version", std::string("utsuri ") + kVersion);
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(34);
+    Action action;
+    add_compare_command(app, command_line(argc, argv), action);
+    add_render_command(app, action);
+    add_info_command(app, action);
+    add_diff_command(app, action);
+    add_devices_command(app, action);
+    app.footer("Exit codes: 0 success, 1 images differ, 2 wrong usage, 3 bad input, 4 no usable device, 130 "
+               "interrupted.\nEnvironment: UTSURI_DEVICE chooses the device, UTSURI_VALIDATION=1 turns Vulkan "
+               "validation on.");
+    try {
+        app.parse(argc, argv);
+        return exit_status(action());
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? exit_status(ExitCode::success) : exit_status(ExitCode::usage);
+    }
+}
+
+}  // namespace
+}  // namespace utsuri
+
+int main(int argc, char** argv) {
+    try {
+        return utsuri::run(argc, argv);
+    } catch (const utsuri::Interrupted&) {
+        fmt::print(stderr, "utsuri: interrupted\n");
+        return utsuri::exit_status(utsuri::ExitCode::interrupted);
+    } catch (const utsuri::Error& error) {
+        fmt::print(stderr, "utsuri: {}\n", error.what());
+        return utsuri::exit_status(error.exit_code());
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "utsuri: out of memory; use a smaller scene or picture\n");
+        return utsuri::exit_status(utsuri::ExitCode::input);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "utsuri: internal error, please report it: {}\n", error.what());
+        return utsuri::exit_status(utsuri::ExitCode::device);
+    }
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "base/error.h"
+
+namespace utsuri {
+namespace {
+
+/// Largest edge of a picture: beyond it no format and no display that we know of follows.
+constexpr std::uint32_t kLargestEdge = 16384;
+constexpr std::uint32_t kLargestMap = 4096;
+
+template <typename Number>
+std::optional<Number> parse_number(std::string_view text) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+std::vector<std::string> split_list(const std::string& text) {
+    std::vector<std::string> parts;
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+    return parts;
+}
+
+CLI::Validator finite_range(double lowest, double highest) {
+    const auto check = [=](const std::string& text) {
+        double value = 0.0;
+        if (CLI::detail::lexical_cast(text, value) && value >= lowest && value <= highest) return std::string();
+        return fmt::format("Value {} not in range {:g} to {:g}", text, lowest, highest);
+    };
+    return CLI::Validator(check, fmt::format("in [{:g} - {:g}]", lowest, highest));
+}
+
+glm::uvec2 parse_size(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    const auto width = parse_number<std::uint32_t>(std::string_view(text).substr(0, cross));
+    const auto height = cross == std::string::npos
+                            ? std::nullopt
+                            : parse_number<std::uint32_t>(std::string_view(text).substr(cross + 1));
+    if (!width || !height || *width < 1 || *height < 1 || *width > kLargestEdge || *height > kLargestEdge) {
+        throw UsageError("use --size", fmt::format("'{}'", text),
+                         fmt::format("expected WIDTHxHEIGHT in pixels, each from 1 to {}, such as 512x384",
+                                     kLargestEdge));
+    }
+    return {*width, *height};
+}
+
+double parse_duration(const std::string& text) {
+    const std::size_t unit_at = text.find_first_not_of("0123456789.e-+");
+    const auto value = parse_number<double>(std::string_view(text).substr(0, unit_at));
+    const std::string unit = unit_at == std::string::npos ? "s" : text.substr(unit_at);
+    const double scale = unit == "ms" ? 1e-3 : (unit == "s" ? 1.0 : (unit == "min" ? 60.0 : 0.0));
+    if (!value || !std::isfinite(*value) || !(*value > 0.0) || scale == 0.0) {
+        throw UsageError("use time", fmt::format("'{}'", text), "expected a positive time such as 33ms, 2s or 5min");
+    }
+    return *value * scale;
+}
+
+glm::dvec3 parse_point(const std::string& text) {
+    const std::vector<std::string> parts = split_list(text);
+    glm::dvec3 point(0.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto value = parts.size() == 3 ? parse_number<double>(parts[i]) : std::nullopt;
+        if (!value || !std::isfinite(*value)) {
+            throw UsageError("use point", fmt::format("'{}'", text), "expected X,Y,Z in metres, such as 0,1.5,-2");
+        }
+        point[static_cast<int>(i)] = *value;
+    }
+    return point;
+}
+
+RenderSettings PictureOptions::render_settings() const {
+    const glm::uvec2 pixels = parse_size(size);
+    return {pixels.x, pixels.y, seed, depth};
+}
+
+MapSettings PictureOptions::map_settings() const {
+    MapSettings settings;
+    settings.size = map_size;
+    settings.samples = map_samples;
+    if (!capture_point.empty()) settings.capture_point = parse_point(capture_point);
+    return settings;
+}
+
+void add_common_options(CLI::App& command, CommonOptions& options) {
+    command.add_option("--device", options.device, "Vulkan device: index or part of its name [fastest kind]")
+        ->envname("UTSURI_DEVICE")
+        ->group("General");
+    command.add_flag("--quiet,-q", options.quiet, "No progress line and no summary")->group("General");
+    command.add_option("--json", options.json, "Write the result as JSON to FILE, or - for standard output")
+        ->type_name("FILE")
+        ->group("General");
+}
+
+void add_picture_options(CLI::App& command, PictureOptions& options) {
+    command.add_option("--size", options.size, "Picture size in pixels")->type_name("WxH")->capture_default_str();
+    command.add_option("--camera", options.camera, "Camera: index or name [the first]");
+    command.add_option("--seed", options.seed, "Seed of the random numbers")
+        ->check(CLI::Range(0u, std::numeric_limits<std::uint32_t>::max()))
+        ->capture_default_str();
+    command.add_option("--depth", options.depth, "Most mirror reflections followed")
+        ->check(CLI::Range(0u, 1000000u))
+        ->capture_default_str();
+    command.add_option("--map-size", options.map_size, "Texels along an edge of a reflection map")
+        ->check(CLI::Range(1u, kLargestMap))
+        ->capture_default_str();
+    command.add_option("--map-spp", options.map_samples, "Samples per texel of a reflection map")
+        ->check(CLI::Range(1u, 65536u))
+        ->capture_default_str();
+    command
+        .add_option("--capture-point", options.capture_point,
+                    "Where maps are captured, in metres [centre of each reflective object]")
+        ->type_name("X,Y,Z");
+    command.add_option("--exposure", options.exposure, "Exposure of display images in stops [automatic]")
+        ->check(finite_range(-kMostStops, kMostStops));
+}
+
+}  // namespace utsuri

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+#include "cli/options.h"
+
+#include "scene/scene.h"
+
+namespace utsuri {
+
+/// Writes the result for machines where the user wants it.
+void write_json(const CommonOptions& options, const nlohmann::ordered_json& json);
+
+/// Text for people on standard output; not if quiet, and not where standard output carries JSON.
+void print_text(const CommonOptions& options, const std::string& text);
+
+/// Tells on standard error what was ignored, dropped and added, at most a screenful.
+void print_notes(const CommonOptions& options, const Notes& notes);
+
+}  // namespace utsuri

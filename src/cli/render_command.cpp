@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <memory>
+
+#include "cli/aov_output.h"
+#include "cli/command.h"
+#include "cli/output.h"
+#include "cli/progress_line.h"
+#include "cli/session.h"
+#include "compare/comparison_json.h"
+#include "compare/comparison_table.h"
+#include "renderers/common/frame_camera.h"
+
+#include "base/file.h"
+#include "base/version.h"
+#include "image/tone.h"
+#include "image_io/image_io.h"
+
+namespace utsuri {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct RenderOptions {
+    CommonOptions common;
+    PictureOptions picture;
+    std::string scene;
+    std::string output;
+    std::string light = "direct";
+    std::string reflection = "trace";
+    std::optional<std::uint32_t> samples;
+    std::string time;
+    std::optional<double> noise;
+    std::string aovs;
+};
+
+constexpr std::uint32_t kDefaultSamples = 16;
+/// Where only time or noise ends a run: 2^24 samples, beyond which a pixel's sums stop gaining.
+constexpr std::uint32_t kMostSamples = 1u << 24;
+/// Relative noise that a user can ask for: below the first the rounding of float32 pixels hides it, and a picture of
+/// few samples has less than the second.
+constexpr double kLeastNoise = 1e-7;
+constexpr double kMostNoise = 1e6;
+
+struct Result {
+    Image image;
+    std::uint32_t samples = 0;
+    std::optional<double> noise;        ///< relative; of an even number of samples
+    RenderStatistics statistics;
+    std::uint64_t peak_bytes = 0;
+    double first_frame_seconds = 0.0;   ///< from the start of the process' work to the first whole sample
+};
+
+/// Adds samples in growing steps until one of the goals is met.
+void render_until_done(Renderer& renderer, Film& film, const RenderOptions& options, ProgressLine& progress,
+                       Result& result, Clock::time_point start) {
+    const bool open_ended = !options.time.empty() || options.noise;
+    const std::uint32_t most = options.samples.value_or(open_ended ? kMostSamples : kDefaultSamples);
+    const double seconds = options.time.empty() ? 0.0 : parse_duration(options.time);
+    const auto sampling_start = Clock::now();
+    progress.begin(fmt::format("{}/{}", options.light, options.reflection));
+    while (film.samples() < most && !progress.cancelled()) {
+        std::uint32_t step = std::min(most - film.samples(), most);
+        if (film.samples() == 0) step = 1;
+        else if (open_ended) step = std::min(step, film.samples());
+        if (options.noise && (film.samples() + step) % 2 != 0) step = film.samples() + 1 < most ? 1 : step;
+        if (seconds > 0.0 && film.samples() > 0) {
+            const double elapsed = std::chrono::duration<double>(Clock::now() - sampling_start).count();
+            const double fitting = (seconds - elapsed) * film.samples() / elapsed;
+            if (fitting < 1.0) break;
+            step = std::min(step, static_cast<std::uint32_t>(std::min(fitting, 1e6)));
+        }
+        const bool first = film.samples() == 0;
+        renderer.add_samples(film, step, progress);
+        if (first) result.first_frame_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        if (options.noise && film.samples() % 2 == 0 && film.estimate_noise().relative <= *options.noise) break;
+    }
+    if (film.samples() == 0) throw Interrupted();
+    result.image = film.resolve();
+    result.samples = film.samples();
+    if (film.samples() % 2 == 0) result.noise = film.estimate_noise().relative;
+}
+
+nlohmann::ordered_json to_json(const Result& result, const RenderOptions& options, const Device& device) {
+    const FrameCounts& counts = result.statistics.counts;
+    return {{"utsuri", kVersion},
+            {"scene", options.scene},
+            {"image", options.output},
+            {"device", device_to_json(device.summary())},
+            {"light", options.light},
+            {"reflection", options.reflection},
+            {"width", result.image.width},
+            {"height", result.image.height},
+            {"seed", options.picture.seed},
+            {"specular_depth", options.picture.depth},
+            {"samples", result.samples},
+            {"noise", result.noise ? nlohmann::ordered_json(*result.noise) : nlohmann::ordered_json(nullptr)},
+            {"prepare_seconds", result.statistics.prepare_seconds},
+            {"compile_seconds", result.statistics.compile_seconds},
+            {"frame_seconds", result.statistics.frame_seconds},
+            {"gpu_seconds", counts.gpu_seconds},
+            {"first_frame_seconds", result.first_frame_seconds},
+            {"peak_bytes", result.peak_bytes},
+            {"rays", counts.rays},
+            {"nonfinite", counts.nonfinite},
+            {"truncated", counts.truncated}};
+}
+
+void write_picture(const Result& result, const RenderOptions& options, const std::vector<ExrChannels>& aovs) {
+    const std::filesystem::path path(options.output);
+    if (path.extension() == ".png") {
+        return write_png(path, result.image, options.picture.exposure.value_or(auto_exposure(result.image)));
+    }
+    const ImageMetadata metadata = {{"Software", fmt::format("utsuri {}", kVersion)},
+                                    {"utsuri:method", fmt::format("{}/{}", options.light, options.reflection)},
+                                    {"utsuri:samples", fmt::format("{}", result.samples)},
+                                    {"utsuri:scene", options.scene}};
+    if (aovs.empty()) return write_exr(path, result.image, ExrPrecision::single, metadata);
+    std::vector<ExrChannels> channels = {{{"R", "G", "B"}, &result.image.pixels.front().x}};
+    channels.insert(channels.end(), aovs.begin(), aovs.end());
+    write_exr_channels(path, result.image.width, result.image.height, channels, metadata);
+}
+
+void check_output(const RenderOptions& options) {
+    const std::string extension = std::filesystem::path(options.output).extension().string();
+    if (extension != ".exr" && extension != ".png") {
+        throw UsageError("write", fmt::format("'{}'", options.output), "expected a name that ends in .exr or .png");
+    }
+    if (!options.aovs.empty() && extension != ".exr") {
+        throw UsageError("write AOVs into", fmt::format("'{}'", options.output), "only .exr files hold them");
+    }
+    const std::filesystem::path path(options.output);
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    std::error_code unreadable;
+    if (!std::filesystem::is_directory(folder, unreadable)) {
+        throw InputError("write", fmt::format("'{}'", options.output),
+                         fmt::format("'{}' is not a folder; create it or choose another", folder.string()));
+    }
+    if (std::filesystem::is_directory(path, unreadable)) {
+        throw InputError("write", fmt::format("'{}'", options.output), "is a folder, expected a file name");
+    }
+    make_output_folder(folder);   // which is there: proves before the work that its result can be written
+}
+
+ExitCode render(const RenderOptions& options) {
+    const auto start = Clock::now();
+    const RenderSettings settings = options.picture.render_settings();
+    const MapSettings maps = options.picture.map_settings();
+    const Method method{parse_light(options.light), parse_reflection(options.reflection)};
+    const AovSelection aovs = parse_aovs(options.aovs);
+    if (!options.time.empty()) parse_duration(options.time);
+    check_output(options);
+
+    const LoadedScene loaded = load_scene(options.scene);
+    const Camera& camera = choose_camera(loaded.scene, options.picture.camera);
+    print_notes(options.common, loaded.notes);
+    DeviceSession session(options.common);
+    ProgressLine progress(options.common.quiet);
+    progress.begin("building the BVH");
+    const SceneData data = prepare_scene_data(loaded.scene);
+    const GpuScene scene(session.device(), data);
+    const std::unique_ptr<Renderer> renderer = make_renderer(method, {session.device(), data, scene, camera}, settings, maps);
+    progress.begin("preparing");
+    renderer->prepare(progress);
+    Film film(session.device(), settings.width, settings.height, "picture");
+    Result result;
+    render_until_done(*renderer, film, options, progress, result, start);
+    result.statistics = renderer->statistics();
+    result.peak_bytes = session.device().memory().peak;
+
+    AovPlanes planes;
+    if (!aovs.empty()) {
+        const auto info = make_camera_info(camera, data.origin, settings.width, settings.height);
+        planes = extract_aovs(render_aovs(session.device(), scene, info, settings.width, settings.height), aovs, data);
+    }
+    write_picture(result, options, planes.channels());
+    progress.clear();
+    print_text(options.common,
+               fmt::format("{}: {} samples, {} (prepare {}, compile {}), {} rays, {}\n", options.output,
+                           result.samples, format_seconds(result.statistics.frame_seconds),
+                           format_seconds(result.statistics.prepare_seconds),
+                           format_seconds(result.statistics.compile_seconds),
+                           format_count(static_cast<double>(result.statistics.counts.rays)),
+                           format_bytes(result.peak_bytes)));
+    if (result.statistics.counts.nonfinite > 0) {
+        fmt::print(stderr, "warning: {} samples were not finite and were left out\n",
+                   result.statistics.counts.nonfinite);
+    }
+    write_json(options.common, to_json(result, options, session.device()));
+    session.check_validation();
+    return progress.cancelled() ? ExitCode::interrupted : ExitCode::success;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Action& action) {
+    auto options = std::make_shared<RenderOptions>();
+    CLI::App* command = app.add_subcommand("render", "Render one picture");
+    command->add_option("scene", options->scene, "glTF scene, .gltf or .glb")->required()->type_name("SCENE");
+    command->add_option("-o,--output", options->output, "Picture: .exr (cd/m2) or .png (for display)")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--light", options->light, "Light at diffuse surfaces: direct")->capture_default_str();
+    command->add_option("--reflection", options->reflection, "Reflections: trace, polygon-map or sphere-map")
+        ->capture_default_str();
+    command->add_option("--spp", options->samples, "Samples per pixel, or the most with --time or --noise [16]")
+        ->check(CLI::Range(1u, kMostSamples));
+    command->add_option("--time", options->time, "Time for samples, such as 500ms, 10s or 5min");
+    command->add_option("--noise", options->noise, "Relative standard error of the pixels to reach, such as 0.01")
+        ->check(finite_range(kLeastNoise, kMostNoise));
+    command->add_option("--aov", options->aovs,
+                        "First-hit channels for the .exr, separated by commas: " + aov_names());
+    add_picture_options(*command, options->picture);
+    add_common_options(*command, options->common);
+    command->callback([=, &action] { action = [=] { return render(*options); }; });
+}
+
+}  // namespace utsuri

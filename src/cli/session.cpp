@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/session.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+
+#include "base/error.h"
+
+namespace utsuri {
+namespace {
+
+Validation wanted_validation() {
+    const char* value = std::getenv("UTSURI_VALIDATION");
+    return value != nullptr && std::string_view(value) == "1" ? Validation::on : Validation::off;
+}
+
+}  // namespace
+
+LoadedScene load_scene(const std::filesystem::path& path) {
+    const auto start = std::chrono::steady_clock::now();
+    ImportResult result = import_gltf(path);
+    LoadedScene loaded;
+    loaded.scene = std::move(result.scene);
+    for (Notes* notes : {&result.ignored, &result.dropped, &result.added}) {
+        loaded.notes.insert(loaded.notes.end(), notes->begin(), notes->end());
+    }
+    loaded.import_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return loaded;
+}
+
+const Camera& choose_camera(const Scene& scene, const std::string& wanted) {
+    if (wanted.empty()) return scene.cameras.front();
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+    if (error == std::errc() && end == wanted.data() + wanted.size() && index < scene.cameras.size()) {
+        return scene.cameras[index];
+    }
+    std::string names;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+        if (scene.cameras[i].name == wanted) return scene.cameras[i];
+        names += fmt::format("\n  {}: {}", i, scene.cameras[i].name);
+    }
+    throw UsageError("choose camera", fmt::format("'{}'", wanted), fmt::format("the scene has{}", names));
+}
+
+std::unique_ptr<VulkanInstance> make_instance() { return std::make_unique<VulkanInstance>(wanted_validation()); }
+
+DeviceSession::DeviceSession(const CommonOptions& options)
+    : instance_(make_instance()), device_(std::make_unique<Device>(*instance_, options.device)) {}
+
+void DeviceSession::check_validation() {
+    const std::vector<std::string> messages = instance_->validation_messages().take();
+    if (!messages.empty()) {
+        throw DeviceError("validate", device_->summary().name,
+                          fmt::format("{} messages:\n{}", messages.size(), fmt::join(messages, "\n")));
+    }
+}
+
+}  // namespace utsuri

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/comparison_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+#include "base/version.h"
+
+namespace utsuri {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json settings_to_json(const MethodResult& result) {
+    Json json = {{"samples", result.samples}};
+    if (result.maps) {
+        json["map_size"] = result.maps->size;
+        json["map_samples"] = result.maps->samples;
+        if (result.maps->capture_point) {
+            const glm::dvec3& point = *result.maps->capture_point;
+            json["capture_point"] = {point.x, point.y, point.z};
+        }
+    }
+    return json;
+}
+
+Json result_to_json(const MethodResult& result) {
+    return {{"name", method_name(result.method)},
+            {"light", to_string(result.method.light)},
+            {"reflection", to_string(result.method.reflection)},
+            {"settings", settings_to_json(result)},
+            {"prepare_seconds", result.prepare_seconds},
+            {"compile_seconds", result.compile_seconds},
+            {"frame_seconds", result.frame_seconds},
+            {"gpu_seconds", result.gpu_seconds},
+            {"peak_bytes", result.peak_bytes},
+            {"rays", result.rays},
+            {"prepare_rays", result.prepare_rays},
+            {"traced_fraction", result.traced_fraction},
+            {"truncated_fraction", result.truncated_fraction},
+            {"nonfinite", result.nonfinite},
+            {"image", result.image_file}};
+}
+
+}  // namespace
+
+Json metrics_to_json(const Metrics& metrics) {
+    return {{"mse", number(metrics.mse)},   {"rel_mse", number(metrics.rel_mse)}, {"mape", number(metrics.mape)},
+            {"psnr", number(metrics.psnr)}, {"ssim", number(metrics.ssim)},       {"flip", number(metrics.flip)},
+            {"max", number(metrics.max)},   {"p999", number(metrics.p999)},       {"pixels", metrics.pixels},
+            {"nonfinite", metrics.nonfinite}};
+}
+
+Json device_to_json(const DeviceSummary& device) {
+    return {{"name", device.name}, {"driver", device.driver}, {"api", device.api}};
+}
+
+Json comparison_to_json(const Comparison& comparison) {
+    Json reference = result_to_json(comparison.reference);
+    reference["noise"] = comparison.reference_noise;
+    reference["noise_mse"] = comparison.reference_noise_mse;
+    Json methods = Json::array();
+    for (const MethodResult& result : comparison.methods) {
+        Json json = result_to_json(result);
+        json["error_map"] = result.error_map_file;
+        json["metrics"] = metrics_to_json(result.metrics);
+        json["metrics_reflective"] = metrics_to_json(result.metrics_reflective);
+        methods.push_back(std::move(json));
+    }
+    return {{"schema", kComparisonSchema},
+            {"utsuri", kVersion},
+            {"scene", comparison.scene},
+            {"command", comparison.command},
+            {"device", device_to_json(comparison.device)},
+            {"width", comparison.settings.width},
+            {"height", comparison.settings.height},
+            {"seed", comparison.settings.seed},
+            {"specular_depth", comparison.settings.specular_depth},
+            {"exposure", comparison.exposure},
+            {"light", to_string(comparison.light)},
+            {"triangles", comparison.triangles},
+            {"scene_bytes", comparison.scene_bytes},
+            {"import_seconds", comparison.import_seconds},
+            {"build_seconds", comparison.build_seconds},
+            {"reflective_pixels", comparison.reflective_pixels},
+            {"interrupted", comparison.interrupted},
+            {"notes", comparison.notes},
+            {"reference", reference},
+            {"methods", methods}};
+}
+
+}  // namespace utsuri

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/method.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "renderers/common/frame_camera.h"
+#include "renderers/ray_trace/ray_tracer.h"
+#include "renderers/reflection_map/map_renderer.h"
+
+#include "base/check.h"
+#include "base/error.h"
+
+namespace utsuri {
+namespace {
+
+constexpr std::array kReflections = {ReflectionMethod::trace, ReflectionMethod::polygon_map,
+                                     ReflectionMethod::sphere_map};
+
+}  // namespace
+
+std::string_view to_string(LightMethod) { return "direct"; }
+
+std::string_view to_string(ReflectionMethod reflection) {
+    switch (reflection) {
+        case ReflectionMethod::trace:
+            return "trace";
+        case ReflectionMethod::polygon_map:
+            return "polygon-map";
+        case ReflectionMethod::sphere_map:
+            return "sphere-map";
+    }
+    fail_check(__FILE__, __LINE__, "a reflection method without a name");
+}
+
+std::string method_name(const Method& method) {
+    return fmt::format("{}/{}", to_string(method.light), to_string(method.reflection));
+}
+
+LightMethod parse_light(std::string_view name) {
+    if (name == to_string(LightMethod::direct)) return LightMethod::direct;
+    throw UsageError("choose light", fmt::format("'{}'", name), "there is: direct");
+}
+
+ReflectionMethod parse_reflection(std::string_view name) {
+    for (const ReflectionMethod reflection : kReflections) {
+        if (name == to_string(reflection)) return reflection;
+    }
+    throw UsageError("choose reflection", fmt::format("'{}'", name), "there are: trace, polygon-map, sphere-map");
+}
+
+std::vector<Method> all_methods(LightMethod light) {
+    std::vector<Method> methods;
+    for (const ReflectionMethod reflection : kReflections) methods.push_back({light, reflection});
+    return methods;
+}
+
+bool uses_maps(const Method& method) { return method.reflection != ReflectionMethod::trace; }
+
+std::unique_ptr<Renderer> make_renderer(const Method& method, const RenderInput& input, const RenderSettings& settings,
+                                        const MapSettings& maps) {
+    if (!uses_maps(method)) {
+        const auto camera = make_camera_info(input.camera, input.data.origin, settings.width, settings.height);
+        return std::make_unique<RayTracer>(input.device, input.scene, camera, settings);
+    }
+    const MapKind kind = method.reflection == ReflectionMethod::polygon_map ? MapKind::polygon : MapKind::sphere;
+    return std::make_unique<MapRenderer>(input.device, input.data, input.scene, input.camera, kind, settings, maps);
+}
+
+}  // namespace utsuri

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+"use strict";
+{
+const data = JSON.parse(document.getElementById("data").textContent);
+const results = [data.reference, ...data.methods];
+const byId = (id) => document.getElementById(id);
+
+/// An element with properties (or attributes, where there is no such property) and children. Names from the
+/// data reach the page only as text, never as markup.
+function make(tag, properties = {}, ...children) {
+    const element = document.createElement(tag);
+    for (const [name, value] of Object.entries(properties)) {
+        if (value === undefined) continue;
+        if (name in element) element[name] = value;
+        else element.setAttribute(name, value);
+    }
+    element.append(...children.filter((child) => child !== undefined));
+    return element;
+}
+
+const definitions = (pairs) => pairs.flatMap(([term, text]) => [make("dt", {}, term), make("dd", {}, text)]);
+
+// ---- numbers ----
+const missing = "–";
+const thinSpace = "\u202f";
+const units = {
+    seconds: [[1, "s"], [1e-3, "ms"], [1e-6, "µs"]],
+    bytes: [[2 ** 30, "GiB"], [2 ** 20, "MiB"], [2 ** 10, "KiB"], [1, "B"]],
+    count: [[1e9, "billion"], [1e6, "million"], [1e3, "thousand"], [1, ""]],
+    percent: [[0.01, "%"]],
+    one: [[1, ""]],
+};
+const grouped = (text) => text.replace(/\B(?=(\d{3})+(?!\d))/g, thinSpace);
+const whole = (value) => grouped(Math.round(value).toString());
+const exponentOf = (value) => Math.floor(Math.log10(Math.abs(value)));
+const isWhole = (kind, size) => size === 1 && kind !== "seconds";
+const chooseUnit = (kind, largest) =>
+    (largest === 0 ? units[kind][0] : units[kind].find(([size]) => largest >= size) ?? units[kind].at(-1));
+
+/// Three significant digits; powers of ten where zeros would hide the size.
+function significant(value) {
+    if (value === 0) return "0";
+    const exponent = exponentOf(value);
+    if (exponent < -3 || exponent > 5) {
+        const [mantissa, power] = value.toExponential(2).split("e");
+        const raised = [...power.replace("+", "")].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c])).join("");
+        return `${mantissa}${thinSpace}×${thinSpace}10${raised}`;
+    }
+    return exponent > 1 ? whole(value) : value.toFixed(2 - exponent);
+}
+
+function quantity(value, kind) {
+    if (value === null) return missing;
+    const [size, name] = chooseUnit(kind, Math.abs(value));
+    return `${isWhole(kind, size) ? whole(value) : significant(value / size)} ${name}`.trim();
+}
+
+/// One unit and one number of decimals for a column, so that its numbers compare at a glance.
+function columnFormat(kind, values) {
+    const present = values.filter((value) => value !== null && value !== 0).map(Math.abs);
+    const [size, name] = chooseUnit(kind, Math.max(0, ...present));
+    const exponents = present.map((value) => exponentOf(value / size));
+    const wanted = 2 - Math.min(2, ...exponents);
+    const decimals = isWhole(kind, size) ? 0 : Math.min(wanted, 4);
+    const digits = (value) => {
+        const text = decimals > 0 ? value.toFixed(decimals) : whole(value);
+        return value !== 0 && Number(text) === 0 ? significant(value) : text;
+    };
+    return { unit: name, format: (value) => (value === 0 ? "0" : digits(value / size)) };
+}
+
+// ---- tables ----
+const secondsPerSample = (r) => (r.settings.samples > 0 ? r.frame_seconds / r.settings.samples : null);
+
+/// `best` says which end of a column is good: "least", "most" or undefined.
+const costColumns = [
+    { title: "samples", kind: "one", value: (r) => r.settings.samples, hint: "of every pixel" },
+    { title: "prepare", kind: "seconds", value: (r) => r.prepare_seconds, best: "least",
+      hint: "capturing maps and the like, once, before the first frame; compiling excluded" },
+    { title: "compile", kind: "seconds", value: (r) => r.compile_seconds, best: "least",
+      hint: "compiling pipelines, once" },
+    { title: "frame", kind: "seconds", value: (r) => r.frame_seconds, best: "least",
+      hint: "wall time of all samples together" },
+    { title: "per sample", kind: "seconds", value: secondsPerSample, best: "least",
+      hint: "the same for one sample of every pixel: what a frame costs in motion" },
+    { title: "device", kind: "seconds", value: (r) => r.gpu_seconds, best: "least",
+      hint: "of the frame time, by the device's own clock" },
+    { title: "memory", kind: "bytes", value: (r) => r.peak_bytes, best: "least",
+      hint: "most device memory at a time, the scene included" },
+    { title: "rays", kind: "count", value: (r) => r.rays,
+      hint: "queries of the scene during the frame, shadow rays included" },
+    { title: "traced", kind: "percent", value: (r) => r.traced_fraction,
+      hint: "of the reflections looked up, those that followed a ray" },
+    { title: "truncated", kind: "percent", value: (r) => r.truncated_fraction,
+      hint: "of the reflections looked up, those cut at the depth bound" },
+    { title: "non-finite", kind: "one", value: (r) => r.nonfinite, bad: (value) => value > 0,
+      hint: "samples that were not finite numbers and were left out" },
+];
+const fixed = (digits) => (value) => value.toFixed(digits);
+const errorColumns = [
+    { title: "FLIP", key: "flip", best: "least", format: fixed(4) },
+    { title: "relMSE", key: "rel_mse", best: "least", format: significant },
+    { title: "MAPE", unit: "%", key: "mape", best: "least", format: (value) => significant(100 * value) },
+    { title: "MSE", key: "mse", best: "least", format: significant },
+    { title: "PSNR", unit: "dB", key: "psnr", best: "most", format: fixed(2) },
+    { title: "SSIM", key: "ssim", best: "most", format: fixed(4) },
+    { title: "p99.9", key: "p999", best: "least", format: significant },
+    { title: "max", key: "max", best: "least", format: significant },
+];
+
+/// The winner of a column; undefined if there is nothing to win.
+function bestOf(column, values) {
+    const present = values.filter((value) => value !== null);
+    if (column.best === undefined || new Set(present).size < 2) return undefined;
+    return column.best === "most" ? Math.max(...present) : Math.min(...present);
+}
+
+function headRow(columns, first) {
+    const unit = (c) => (c.unit ? make("span", { className: "unit" }, c.unit) : undefined);
+    const cells = columns.map((c) => make("th", { scope: "col" }, c.title, unit(c)));
+    return make("thead", {}, make("tr", {}, make("th", { scope: "col" }, first), ...cells));
+}
+
+function cell(column, value, best) {
+    const classes = [value !== null && value === best ? "best" : "", column.bad?.(value) ? "bad" : ""];
+    return make("td", { className: classes.join(" ").trim() }, value === null ? missing
+        : value === Infinity ? "∞" : column.format(value));
+}
+
+const rowHead = (text) => make("th", { scope: "row" }, text);
+
+function fillCostTable() {
+    const columns = costColumns.map((c) => ({ ...c, ...columnFormat(c.kind, results.map(c.value)) }));
+    const best = columns.map((c) => bestOf(c, data.methods.map(c.value)));
+    const rows = results.map((result, index) => make("tr",
+        { className: index === 0 ? "reference" : "method" },
+        rowHead(index === 0 ? "reference" : result.name),
+        ...columns.map((c, i) => cell(c, c.value(result), index === 0 ? undefined : best[i]))));
+    byId("cost").append(headRow(columns, "Method"), make("tbody", {}, ...rows));
+    byId("cost-notes").append(
+        make("li", {}, `Highlighted: the best method of a column. The reference is ${data.reference.name}.`));
+    byId("cost-legend").append(...definitions(costColumns.map((c) => [c.title, c.hint])));
+}
+
+/// Equal pictures have an infinite PSNR, which JSON cannot hold.
+function metric(metrics, key) {
+    return key === "psnr" && metrics.psnr === null && metrics.pixels > 0 ? Infinity : metrics[key];
+}
+
+/// A method without any systematic error and with as many samples as the reference has this MSE in
+/// expectation: the variances of both pictures add up.
+const noiseMse = 2 * data.reference.noise_mse;
+const noiseIsKnown = data.reference.settings.samples >= 2 && data.reference.settings.samples % 2 === 0;
+const withinNoise = (mse) => noiseIsKnown && mse !== null && mse <= noiseMse;
+
+function errorGroup(title, key, markNoise) {
+    const metricsOf = (c) => data.methods.map((method) => metric(method[key], c.key));
+    const best = errorColumns.map((c) => bestOf(c, metricsOf(c)));
+    const rows = data.methods.map((method) => {
+        const cells = errorColumns.map((c, i) => cell(c, metric(method[key], c.key), best[i]));
+        const mse = errorColumns.findIndex((c) => c.key === "mse");
+        if (markNoise && withinNoise(method[key].mse)) cells[mse].append(make("small", {}, "noise"));
+        return make("tr", { className: "method" }, rowHead(method.name), ...cells);
+    });
+    const head = make("th", { scope: "rowgroup", colSpan: errorColumns.length + 1 }, title);
+    return make("tbody", {}, make("tr", { className: "group" }, head), ...rows);
+}
+
+function noiseRow() {
+    const relative = data.reference.noise;
+    const text = noiseIsKnown && relative !== null
+        ? `Its own noise: MSE ${significant(data.reference.noise_mse)}, a standard error of ` +
+          `${significant(100 * relative)}${thinSpace}% of the mean. Errors of this order are noise ` +
+          "and tell nothing."
+        : "Its own noise was not estimated; that takes an even number of samples.";
+    return make("tr", { className: "reference" }, rowHead("reference"),
+                make("td", { className: "prose", colSpan: errorColumns.length }, make("div", {}, text)));
+}
+
+function fillErrorTable() {
+    const frame = data.width * data.height;
+    const reflective = data.reflective_pixels;
+    const share = `${significant(100 * reflective / frame)}${thinSpace}%`;
+    const table = byId("error");
+    table.append(headRow(errorColumns, "Method"), make("tbody", {}, noiseRow()));
+    if (data.methods.length === 0) return;
+    const reflectiveTitle = `Reflective pixels, ${whole(reflective)} (${share} of the frame)`;
+    table.append(errorGroup(`Whole frame, ${whole(frame)} pixels`, "metrics", true),
+                 errorGroup(reflectiveTitle, "metrics_reflective", false));
+    const notes = ["Highlighted: the best method of a column."];
+    if (data.methods.some((m) => withinNoise(m.metrics.mse))) {
+        notes.push("“noise”: no more than twice the reference's own MSE, which an exact method with as " +
+                   "many samples would show too. More samples in the reference (--reference-spp) tell more.");
+    }
+    if (reflective === 0) {
+        notes.push(`${missing} no reflective pixel in this view, so there is nothing to measure.`);
+    }
+    for (const { name, metrics } of data.methods.filter((m) => m.metrics.nonfinite > 0)) {
+        notes.push(`${name}: ${whole(metrics.nonfinite)} pixels are not finite and are left out.`);
+    }
+    byId("error-notes").append(...notes.map((note) => make("li", {}, note)));
+}
+
+// ---- pictures ----
+const pictures = results.map((result, index) => ({
+    name: index === 0 ? "reference" : result.name,
+    image: index === 0 ? data.pictures.reference : data.pictures.methods[index - 1].image,
+    errorMap: index === 0 ? null : data.pictures.methods[index - 1].error_map,
+    result,
+}));
+
+function scale() {
+    const alt = "Colours of the errors from 0 to 1";
+    return [
+        make("img", { className: "scale", src: data.pictures.error_scale, alt }),
+        make("div", { className: "ends", ariaHidden: "true" }, make("span", {}, "0"), make("span", {}, "1")),
+    ];
+}
+
+function card({ name, image, errorMap, result }) {
+    const time = `${quantity(result.frame_seconds, "seconds")}, ${whole(result.settings.samples)} samples`;
+    const parts = [make("h3", {}, name)];
+    if (image) {
+        parts.push(make("figure", {}, make("img", { src: image, alt: `Picture by ${name}` }),
+                        make("figcaption", {}, time)));
+    }
+    if (errorMap) {
+        const flip = result.metrics.flip;
+        const text = flip === null ? "FLIP not measured" : `FLIP ${flip.toFixed(4)} on average`;
+        parts.push(make("figure", {}, make("img", { src: errorMap, alt: `Map of the FLIP error of ${name}` }),
+                        ...scale(), make("figcaption", {}, text)));
+    }
+    return make("article", {}, ...parts);
+}
+
+// ---- facts ----
+const fileName = (path) => path.split(/[\\/]/).filter(Boolean).at(-1) ?? path;
+
+function fillFacts() {
+    const { reference, device } = data;
+    document.title = `${fileName(data.scene)} – Utsuri comparison`;
+    byId("scene").textContent = fileName(data.scene);
+    const methodSamples = [...new Set(data.methods.map((m) => m.settings.samples))].join(" or ");
+    byId("summary").textContent = [
+        device.name, `${data.width} × ${data.height} pixels`,
+        ...(methodSamples ? [`${methodSamples} samples a pixel`] : []),
+        `reference ${whole(reference.settings.samples)} samples`,
+        `specular chains of at most ${data.specular_depth} reflections`, `${data.light} light`].join(" · ");
+    byId("interrupted").hidden = !data.interrupted;
+    byId("command").textContent = data.command;
+    const facts = [
+        ["Scene", data.scene], ["Triangles", whole(data.triangles)],
+        ["Scene memory", `${quantity(data.scene_bytes, "bytes")} on the device`],
+        ["Import", quantity(data.import_seconds, "seconds")],
+        ["BVH", quantity(data.build_seconds, "seconds")],
+        ["Device", `${device.name}; ${device.driver}; Vulkan ${device.api}`],
+        ["Exposure of the pictures", `${significant(data.exposure).replace("-", "−")} stops`],
+        ["Seed", String(data.seed)], ["Utsuri", data.utsuri]];
+    byId("facts").append(...definitions(facts));
+    byId("notes").hidden = data.notes.length === 0;
+    byId("note-list").append(...data.notes.map((note) => make("li", {}, note)));
+}
+
+async function copyCommand() {
+    const command = byId("command");
+    try {
+        await navigator.clipboard.writeText(data.command);
+        byId("copy").textContent = "Copied";
+    } catch {
+        // Without permission the text is selected, ready for the reader's own copy command.
+        getSelection().selectAllChildren(command);
+    }
+}
+
+function viewerPictures() {
+    const shown = pictures.filter((p) => p.image).map((p, index) => ({
+        name: p.name, image: p.image, alt: `Picture by ${p.name}`,
+        isApproximate: index > 0 && p.result.reflection !== "trace",
+    }));
+    const maps = pictures.filter((p) => p.errorMap).map((p) => ({
+        name: `FLIP error of ${p.name}`, image: p.errorMap, alt: `Map of the FLIP error of ${p.name}`,
+    }));
+    return [...shown, ...maps];
+}
+
+fillFacts();
+byId("pictures").append(...pictures.map(card));
+fillCostTable();
+fillErrorTable();
+byId("copy").addEventListener("click", copyCommand);
+startViewer(viewerPictures(), data.width, data.height)
+    .then(() => { document.documentElement.dataset.ready = "true"; });
+}

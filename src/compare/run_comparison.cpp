@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/run_comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "renderers/common/aov.h"
+#include "renderers/common/frame_camera.h"
+
+#include "image/tone.h"
+
+namespace utsuri {
+namespace {
+
+double fraction(std::uint64_t part, std::uint64_t whole) {
+    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
+std::string file_stem(const Method& method) {
+    std::string name = method_name(method);
+    std::replace(name.begin(), name.end(), '/', '_');
+    return name;
+}
+
+struct Rendered {
+    MethodResult result;
+    NoiseEstimate noise;
+};
+
+Rendered render(const RenderInput& input, const Method& method, const RenderSettings& settings,
+                const MapSettings& maps, std::uint32_t samples, const std::string& title, Progress& progress) {
+    input.device.reset_peak_memory();
+    const std::unique_ptr<Renderer> renderer = make_renderer(method, input, settings, maps);
+    if (uses_maps(method)) progress.begin(fmt::format("{}, capturing maps", title));
+    renderer->prepare(progress);
+    Film film(input.device, settings.width, settings.height, title);
+    progress.begin(fmt::format("{}, {} samples per pixel", title, samples));
+    renderer->add_samples(film, samples, progress);
+
+    Rendered rendered;
+    if (film.samples() >= 2 && film.samples() % 2 == 0) rendered.noise = film.estimate_noise();
+    const RenderStatistics& statistics = renderer->statistics();
+    MethodResult& result = rendered.result;
+    result.method = method;
+    result.samples = film.samples();
+    if (uses_maps(method)) result.maps = maps;
+    result.prepare_seconds = statistics.prepare_seconds;
+    result.compile_seconds = statistics.compile_seconds;
+    result.frame_seconds = statistics.frame_seconds;
+    result.gpu_seconds = statistics.counts.gpu_seconds;
+    result.peak_bytes = input.device.memory().peak;
+    result.rays = statistics.counts.rays;
+    result.prepare_rays = statistics.prepare_counts.rays;
+    result.traced_fraction = fraction(statistics.counts.traced, statistics.counts.lookups);
+    result.nonfinite = statistics.counts.nonfinite + statistics.prepare_counts.nonfinite;
+    result.truncated_fraction = fraction(statistics.counts.truncated, statistics.counts.lookups);
+    result.image = film.resolve();
+    return rendered;
+}
+
+void measure(const Comparison& comparison, MethodResult& result) {
+    MetricSettings settings;
+    settings.exposure = comparison.exposure;
+    const Image& reference = comparison.reference.image;
+    PerceptualMaps maps = compute_perceptual_maps(reference, result.image, settings);
+    result.metrics = compute_metrics(reference, result.image, &maps, nullptr, settings);
+    result.metrics_reflective = compute_metrics(reference, result.image, &maps, &comparison.reflective, settings);
+    result.flip = std::move(maps.flip);
+}
+
+}  // namespace
+
+Comparison run_comparison(const RenderInput& input, const ComparisonSettings& settings, Progress& progress) {
+    Comparison comparison;
+    comparison.device = input.device.summary();
+    comparison.settings = settings.render;
+    comparison.light = settings.light;
+    comparison.build_seconds = input.data.build_seconds;
+    comparison.scene_bytes = input.data.device_bytes();
+    comparison.triangles = input.data.requirements.triangles;
+    const auto camera =
+        make_camera_info(input.camera, input.data.origin, settings.render.width, settings.render.height);
+    comparison.reflective = reflective_mask(
+        render_aovs(input.device, input.scene, camera, settings.render.width, settings.render.height));
+    comparison.reflective_pixels =
+        static_cast<std::uint64_t>(std::count(comparison.reflective.begin(), comparison.reflective.end(), 1));
+
+    // The reference has samples of its own: with the methods' seed its errors would be theirs.
+    RenderSettings reference_settings = settings.render;
+    reference_settings.seed = ~settings.render.seed;
+    Rendered reference = render(input, {settings.light, ReflectionMethod::trace}, reference_settings, settings.maps,
+                                settings.reference_samples, "reference direct/trace", progress);
+    comparison.reference = std::move(reference.result);
+    comparison.reference.image_file = "reference.exr";
+    comparison.reference_noise = reference.noise.relative;
+    const double scale = normalisation(comparison.reference.image);
+    comparison.reference_noise_mse = reference.noise.mse * scale * scale;
+    comparison.exposure = settings.exposure.value_or(auto_exposure(comparison.reference.image));
+
+    for (const Method& method : settings.methods) {
+        if (progress.cancelled()) break;
+        try {
+            MethodResult result = render(input, method, settings.render, settings.maps, settings.samples,
+                                         method_name(method), progress)
+                                      .result;
+            if (result.samples == 0) break;
+            progress.begin(fmt::format("{}, measuring", method_name(method)));
+            measure(comparison, result);
+            result.image_file = file_stem(method) + ".exr";
+            result.error_map_file = file_stem(method) + "_flip.png";
+            comparison.methods.push_back(std::move(result));
+        } catch (const Interrupted&) {
+            break;
+        }
+    }
+    comparison.interrupted = progress.cancelled();
+    return comparison;
+}
+
+}  // namespace utsuri

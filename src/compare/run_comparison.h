@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "compare/comparison.h"
+
+#include "base/progress.h"
+
+namespace utsuri {
+
+struct ComparisonSettings {
+    RenderSettings render;
+    LightMethod light = LightMethod::direct;
+    std::vector<Method> methods;            ///< all on the light axis `light`
+    std::uint32_t samples = 16;             ///< per pixel and method
+    std::uint32_t reference_samples = 128;  ///< even, so that the reference's noise can be told
+    MapSettings maps;
+    std::optional<double> exposure;         ///< stops; found from the reference if not set
+};
+
+/// Renders reference and methods, and measures. Stops early if progress says so, with what was finished.
+Comparison run_comparison(const RenderInput& input, const ComparisonSettings& settings, Progress& progress);
+
+}  // namespace utsuri

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "compare/comparison.h"
+
+namespace utsuri {
+
+/// Writes pictures (.exr, .png), error maps (.png), compare.json and report.html into a folder that exists.
+/// @throws InputError naming what cannot be written
+void write_comparison(const Comparison& comparison, const std::filesystem::path& folder);
+
+}  // namespace utsuri

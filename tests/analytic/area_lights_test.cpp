@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Polygonal lights of radiance 1 over Lambert receivers: closed forms of Lambert's polygon sum.
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "support/estimate.h"
+#include "support/light_scenes.h"
+#include "support/test_device.h"
+
+namespace utsuri::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kAlbedo = 0.8;
+
+class AreaLights : public DeviceTest {
+  protected:
+    static Estimate irradiance(const Scene& scene, glm::dvec3 eye, glm::dvec3 target, std::uint32_t samples = 256) {
+        Estimate estimate = Observer(device(), scene).look(eye, target, samples);
+        estimate.mean *= kPi / kAlbedo;
+        estimate.standard_error *= kPi / kAlbedo;
+        return estimate;
+    }
+};
+
+Material receiver() { return lambert(glm::vec3(static_cast<float>(kAlbedo))); }
+
+/// A unit square of radiance 1 at a height over the ground.
+Scene under_square(double height) {
+    Scene scene;
+    add(scene, ground(2.0f), receiver());
+    add(scene, ceiling({0.0f, static_cast<float>(height), 0.0f}, 0.5f), emitter(glm::vec3(1.0f)));
+    return scene;
+}
+
+/// A small receiver about the origin and one triangle of radiance 1.
+Scene triangle_and_receiver(const glm::vec3& normal, const Mesh& light) {
+    Scene scene;
+    const glm::vec3 other = std::abs(normal.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 u = 0.1f * glm::normalize(glm::cross(other, normal));
+    const glm::vec3 v = glm::cross(normal, u);
+    add(scene, quad(-0.5f * (u + v), u, v), receiver());
+    add(scene, light, emitter(glm::vec3(1.0f)));
+    return scene;
+}
+
+TEST_F(AreaLights, UnitSquareAtHeightOne) {
+    const Scene scene = under_square(1.0);
+    expect_radiance(irradiance(scene, {2.0, 0.7, 0.3}, {0.0, 0.0, 0.0}), 0.752274688);
+    expect_radiance(irradiance(scene, {2.0, 2.0, 1.0}, {1.0, 0.0, 0.0}), 0.265004852);
+}
+
+// Lambert's sum for the unit square straight above: 3.14056468 close up (E -> pi), then E / L -> 1 / h^2.
+TEST_F(AreaLights, UnitSquareCloseUp) {
+    // Of the light only about a disc as wide as the height counts: its share of the square, 3e-4, is what the
+    // samples must find, so the noise of 256 * 16384 samples is a thousandth rather than kPower.
+    constexpr double kCloseUpPower = 2e-3;
+    const Estimate estimate = irradiance(under_square(0.01), {0.02, 0.005, 0.0}, {0.0, 0.0, 0.0}, 16384);
+    expect_radiance(estimate, 3.14056468, kCloseUpPower);
+}
+
+TEST_F(AreaLights, UnitSquareFarAway) {
+    const std::array<std::pair<double, double>, 3> cases = {
+        {{10.0, 0.00996678291}, {100.0, 9.99966668e-5}, {1000.0, 9.99999667e-7}}};
+    for (const auto& [height, expected] : cases) {
+        SCOPED_TRACE(height);
+        expect_radiance(irradiance(under_square(height), {1.0, 1.0, 0.5}, {0.0, 0.0, 0.0}, 64), expected);
+    }
+}
+
+// The octant triangle seen from the origin: pi / 4 for the normal z, sqrt(3) pi / 4 along its axis.
+TEST_F(AreaLights, OctantTriangle) {
+    const Mesh light = triangle({1, 0, 0}, {0, 0, 1}, {0, 1, 0});
+    expect_radiance(irradiance(triangle_and_receiver({0, 0, 1}, light), {-1, -1, 1}, {0, 0, 0}), 0.785398163);
+    const glm::vec3 axis = glm::normalize(glm::vec3(1));
+    expect_radiance(irradiance(triangle_and_receiver(axis, light), {-1, 1.5, 1.5}, {0, 0, 0}), 1.360349523);
+}
+
+// Partly below the receiver's horizon: what is below must not count. The unclipped sum would be negative.
+TEST_F(AreaLights, HorizonCutsALight) {
+    const Mesh light = triangle({2, -1, -1}, {2, 0, 2}, {2, 1, -1});
+    expect_radiance(irradiance(triangle_and_receiver({0, 0, 1}, light), {-1, 0.5, 2}, {0, 0, 0}, 1024), 0.0698432912);
+}
+
+TEST_F(AreaLights, OneSidedLightIsDarkBehind) {
+    Scene scene;
+    add(scene, ground(2.0f), receiver());
+    add(scene, flipped(ceiling({0, 1, 0}, 0.5f)), emitter(glm::vec3(1.0f)));
+    expect_radiance(irradiance(scene, {2.0, 2.0, 1.0}, {1.0, 0.0, 0.0}, 64), 0.0);
+    scene.materials.back().double_sided = true;
+    expect_radiance(irradiance(scene, {2.0, 2.0, 1.0}, {1.0, 0.0, 0.0}), 0.265004852);
+}
+
+TEST_F(AreaLights, ALightIsSeenAtItsRadiance) {
+    Scene scene;
+    add(scene, ceiling({0, 1, 0}, 0.5f), emitter({1.0f, 2.0f, 5.0f}));
+    Observer observer(device(), scene);
+    expect_radiance(observer.look({0.1, -1.0, 0.2}, {0.1, 1.0, 0.2}, 2), {1.0, 2.0, 5.0});
+    expect_radiance(observer.look({0.1, 3.0, 0.2}, {0.1, 1.0, 0.2}, 2), 0.0);
+}
+
+/// The room of the Cornell box without its blocks, vertices as published by the Cornell University Program of Computer
+/// Graphics: 552.8 to 556 wide, 548.8 high, 559.2 deep. The ceiling is left out, because the light lies in it.
+Scene empty_cornell_box() {
+    Scene scene;
+    add(scene, quad({552.8f, 0, 0}, {-552.8f, 0, 0}, {0, 0, 559.2f}), receiver());
+    add(scene, quad({549.6f, 0, 559.2f}, {-549.6f, 0, 0}, {0, 548.8f, 0}), receiver());
+    add(scene, quad({343, 548.8f, 227}, {0, 0, 105}, {-130, 0, 0}), emitter(glm::vec3(1.0f)));
+    return scene;
+}
+
+TEST_F(AreaLights, EmptyCornellBox) {
+    Observer observer(device(), empty_cornell_box());
+    const std::array<std::pair<glm::dvec3, double>, 5> points = {{{{278, 0, 279.5}, 0.0446324747},
+                                                                  {{50, 0, 50}, 0.0248946967},
+                                                                  {{278, 0, 500}, 0.0333002607},
+                                                                  {{278, 274.4, 559.2}, 0.0436526245},
+                                                                  {{278, 100, 559.2}, 0.0215030070}}};
+    for (const auto& [point, expected] : points) {
+        SCOPED_TRACE(expected);
+        expect_radiance(observer.look({278, 200, -300}, point, 256), expected * kAlbedo / kPi);
+    }
+}
+
+}  // namespace
+}  // namespace utsuri::test

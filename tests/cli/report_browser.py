@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Opens a report.html in headless Chromium and checks that its script drew the page.
+
+Exit codes: 0 all is well; 1 a check failed; 2 wrong usage; 77 there is no Chromium (SKIP_RETURN_CODE in
+ctest).
+"""
+import argparse
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+from html.parser import HTMLParser
+
+SKIPPED = 77
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
+TIMEOUT_SECONDS = 120  # a cold start on two busy cores takes some 20 s
+VIRTUAL_MILLISECONDS = 5000
+DATA_BEGIN = '<script type="application/json" id="data">'
+DIVIDERS = (25, 80)  # percent from the left
+
+
+class Page(HTMLParser):
+    """The elements of a page, each (tag, attributes, ids around it), and the text of each id."""
+
+    VOID = {"img", "meta", "link", "br", "hr", "input", "col", "source", "wbr"}
+
+    def __init__(self, text):
+        super().__init__()
+        self.elements = []
+        self.texts = {}
+        self.open = []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        attributes = dict(attrs)
+        self.elements.append((tag, attributes, [identity for _, identity in self.open if identity]))
+        if tag not in self.VOID:
+            self.open.append((tag, attributes.get("id")))
+
+    def handle_endtag(self, tag):
+        while self.open and self.open.pop()[0] != tag:
+            pass
+
+    def handle_data(self, data):
+        for _, identity in self.open:
+            if identity:
+                self.texts[identity] = self.texts.get(identity, "") + data
+
+    def inside(self, identity, tag):
+        return [attributes for name, attributes, ids in self.elements if name == tag and identity in ids]
+
+    def by_id(self, identity):
+        return next((a for _, a, _ in self.elements if a.get("id") == identity), {})
+
+
+class Checks:
+    def __init__(self):
+        self.failed = 0
+
+    def equal(self, what, actual, expected):
+        if actual == expected:
+            return
+        self.failed += 1
+        print(f"{what}: is {actual!r}, expected {expected!r}", file=sys.stderr)
+
+
+def browse(browser, url, *options):
+    """What Chromium writes to stdout and to stderr."""
+    with tempfile.TemporaryDirectory(prefix="utsuri_report_", ignore_cleanup_errors=True) as profile:
+        command = [browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+                   "--disable-background-networking", "--disable-component-update", "--disable-sync",
+                   "--disable-extensions", "--enable-logging=stderr", f"--user-data-dir={profile}",
+                   f"--virtual-time-budget={VIRTUAL_MILLISECONDS}", *options, url]
+        done = subprocess.run(command, capture_output=True, timeout=TIMEOUT_SECONDS, check=True)
+    return done.stdout.decode("utf-8"), done.stderr.decode("utf-8", "replace")
+
+
+def check_page(page, data, divider, checks):
+    methods = data["methods"]
+    count = len(methods)
+    shown = f"divider at {divider} %"
+    html = next(attributes for tag, attributes, _ in page.elements if tag == "html")
+    checks.equal("html data-ready", html.get("data-ready"), "true")
+    rows = [row.get("class") for row in page.inside("cost", "tr")]
+    checks.equal("method rows in the table of cost", rows.count("method"), count)
+    checks.equal("reference rows in the table of cost", rows.count("reference"), 1)
+    rows = [row.get("class") for row in page.inside("error", "tr")]
+    checks.equal("method rows in the table of errors", rows.count("method"), 2 * count)
+    for name in (method["name"] for method in methods):
+        checks.equal(f"{name} in the table of cost", name in page.texts.get("cost", ""), True)
+    for side in ("left", "right"):
+        images = page.inside(f"{side}-side", "img")
+        sizes = [(image.get("data-natural-width"), image.get("data-natural-height")) for image in images]
+        checks.equal(f"size of the {side} picture", sizes, [(str(data["width"]), str(data["height"]))])
+    # A picture for each result, and an error map and a colour scale for each method.
+    checks.equal("pictures in the grid", len(page.inside("pictures", "img")), 1 + 3 * count)
+    checks.equal("images of the page", len([1 for tag, _, _ in page.elements if tag == "img"]), 3 + 3 * count)
+    clip = page.by_id("left-side").get("style", "")
+    checks.equal(f"{shown}: the left picture's clip is in {clip!r}",
+                 f"inset(0px {100 - divider}% 0px 0px)" in clip, True)
+    checks.equal(f"{shown}: aria-valuenow", page.by_id("divider").get("aria-valuenow"), str(divider))
+    scene = data["scene"].replace("\\", "/").rstrip("/").rsplit("/", 1)[-1]
+    checks.equal("title", page.texts.get("scene"), scene)
+    checks.equal("command", page.texts.get("command"), data["command"])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("report", type=pathlib.Path)
+    parser.add_argument("--screenshot", type=pathlib.Path, metavar="FILE", help="save a picture of the page")
+    parser.add_argument("--window", default="1400,2200", metavar="W,H",
+                        help="size of that picture [%(default)s]")
+    parser.add_argument("--address", default="", metavar="HASH", help="for example zoom=4&left=direct/trace")
+    parser.add_argument("--dark", action="store_true", help="take that picture in the dark colour scheme")
+    options = parser.parse_args()
+
+    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if browser is None:
+        print(f"skipped: none of {', '.join(BROWSERS)} is installed")
+        return SKIPPED
+    url = options.report.resolve(strict=True).as_uri()
+    source = options.report.read_text(encoding="utf-8")
+    data = json.loads(source.split(DATA_BEGIN, 1)[1].split("</script>", 1)[0])
+
+    checks = Checks()
+    for divider in DIVIDERS:
+        dom, log = browse(browser, f"{url}#divider={divider}", "--dump-dom")
+        check_page(Page(dom), data, divider, checks)
+        checks.equal("messages on the console", [line for line in log.splitlines() if "CONSOLE" in line], [])
+    if options.screenshot:
+        scheme = ["--blink-settings=preferredColorScheme=0"] if options.dark else []
+        browse(browser, f"{url}#{options.address}", f"--window-size={options.window}", "--hide-scrollbars",
+               f"--screenshot={options.screenshot.resolve()}", *scheme)
+    return 1 if checks.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

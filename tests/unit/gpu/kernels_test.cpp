@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/product_kernels.h"
+
+#include "gpu/spirv.h"
+
+#include "interop/bindings.h"
+#include "interop/frame.h"
+#include "interop/rays.h"
+#include "interop/specialization.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace utsuri {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::Not;
+
+const fs::path kShaders = fs::path(UTSURI_SOURCE_DIR) / "shaders";
+
+/// Values of the constants with a name prefix that an interop header declares.
+std::set<std::uint32_t> declared(const std::string& header, const std::string& prefix) {
+    std::ifstream stream(kShaders / "interop" / header);
+    const std::regex constant("INTEROP_CONSTANT (" + prefix + "[A-Z0-9_]+) = ([0-9]+)u;");
+    std::set<std::uint32_t> values;
+    for (std::string line; std::getline(stream, line);) {
+        std::smatch match;
+        if (!std::regex_search(line, match, constant) || match[1] == prefix + "COUNT") continue;
+        const bool added = values.insert(static_cast<std::uint32_t>(std::stoul(match[2]))).second;
+        EXPECT_TRUE(added) << match[1] << " has a number that is taken";
+    }
+    return values;
+}
+
+/// What OpExecutionMode LocalSize says.
+std::uint32_t invocations_per_group(std::span<const std::uint32_t> spirv) {
+    constexpr std::uint32_t kOpExecutionMode = 16;
+    constexpr std::uint32_t kLocalSize = 17;
+    for (std::size_t at = 5; at < spirv.size(); at += spirv[at] >> 16) {
+        if ((spirv[at] & 0xffffu) == kOpExecutionMode && spirv[at + 2] == kLocalSize) {
+            return spirv[at + 3] * spirv[at + 4] * spirv[at + 5];
+        }
+    }
+    return 0;
+}
+
+TEST(Kernels, AreAllKnownToTheTests) {
+    std::set<std::string> files;
+    for (const auto& entry : fs::directory_iterator(kShaders / "kernels")) {
+        if (entry.path().extension() == ".comp") files.insert(entry.path().stem().string());
+    }
+    std::set<std::string> names;
+    for (const test::ProductKernel& kernel : test::product_kernels()) names.insert(kernel.name);
+    EXPECT_EQ(names, files);
+}
+
+TEST(Kernels, BindOnlyWhatInteropNumbers) {
+    const std::set<std::uint32_t> numbers = declared("bindings.h", "BINDING_");
+    EXPECT_EQ(numbers.size(), 21u);
+    std::set<std::uint32_t> used;
+    for (const test::ProductKernel& kernel : test::product_kernels()) {
+        for (const std::uint32_t binding : spirv_bindings(kernel.spirv)) {
+            EXPECT_THAT(numbers, Contains(binding)) << kernel.name;
+            used.insert(binding);
+        }
+    }
+    EXPECT_EQ(used, numbers) << "a binding number that no kernel uses";
+}
+
+TEST(Kernels, SpecializeOnlyWhatInteropNumbers) {
+    const std::set<std::uint32_t> ids = declared("specialization.h", "SPEC_");
+    EXPECT_EQ(ids.size(), interop::SPEC_COUNT);
+    std::set<std::uint32_t> used;
+    for (const test::ProductKernel& kernel : test::product_kernels()) {
+        for (const std::uint32_t id : spirv_specialization_ids(kernel.spirv)) {
+            EXPECT_LT(id, interop::SPEC_COUNT) << kernel.name;
+            used.insert(id);
+        }
+    }
+    EXPECT_EQ(used, ids) << "a specialization id that no kernel uses";
+}
+
+TEST(Kernels, HaveTheWorkgroupsThatTheHostCountsWith) {
+    for (const test::ProductKernel& kernel : test::product_kernels()) {
+        EXPECT_EQ(invocations_per_group(kernel.spirv), 64u) << kernel.name;
+    }
+    EXPECT_EQ(interop::TILE_SIZE * interop::TILE_SIZE, 64u);
+    EXPECT_EQ(interop::RAYS_PER_GROUP, 64u);
+}
+
+TEST(Kernels, FitTheirPushConstantsIntoWhatEveryDeviceHas) {
+    constexpr std::size_t kGuaranteed = 128;   // Vulkan 1.3, table "Required Limits"
+    EXPECT_LE(sizeof(interop::FramePush), kGuaranteed);
+}
+
+}  // namespace
+}  // namespace utsuri
