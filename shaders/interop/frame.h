@@ -48,6 +48,7 @@ struct Counters {
     uint lookups;      ///< specular directions resolved
     uint traced;       ///< of those, by following a ray
     uint truncated;    ///< specular chains cut at specular_depth
+    uint incomplete;   ///< pixels whose loop over the samples the driver ended early
 };
 
 /// The first hit through the centre of a pixel.

@@ -39,4 +39,5 @@ void count(Counters totals) {
     if (totals.lookups > 0u) atomicAdd(counters.lookups, totals.lookups);
     if (totals.traced > 0u) atomicAdd(counters.traced, totals.traced);
     if (totals.truncated > 0u) atomicAdd(counters.truncated, totals.truncated);
+    if (totals.incomplete > 0u) atomicAdd(counters.incomplete, totals.incomplete);
 }

@@ -14,8 +14,9 @@ void render_pixel() {
     uvec2 pixel = in_band + uvec2(0u, push.first_row);
     uint slot = in_band.y * push.width + in_band.x;
     FilmPixel state = film[slot];
-    Counters totals = Counters(0u, 0u, 0u, 0u, 0u);
-    for (uint s = push.sample_begin; s < push.sample_end; ++s) {
+    Counters totals = Counters(0u, 0u, 0u, 0u, 0u, 0u);
+    uint s = push.sample_begin;
+    for (; s < push.sample_end; ++s) {
         uint key = sampler_key(pixel, push.seed, s & 1u);
         vec2 jitter = sample_2d(key, s >> 1, 0u);
         vec3 direction = camera_direction(vec2(pixel) + jitter);
@@ -29,6 +30,7 @@ void render_pixel() {
             totals.nonfinite += 1u;
         }
     }
+    if (s < push.sample_end) totals.incomplete = 1u;
     film[slot] = state;
     count(totals);
 }

@@ -20,7 +20,7 @@ bool is_light_visible(Surface surface, LightSample s, uint excluded_instance) {
 }
 
 /// Light samples weighed against each other before the shadow ray; none to weigh in a scene with one light.
-const uint MOST_CANDIDATES = 8u;
+const uint MOST_CANDIDATES = 4u;
 
 /// One light sample, as if no other could have been taken, and what it brings without regard to shadows.
 struct Candidate {

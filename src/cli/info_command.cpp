@@ -32,7 +32,7 @@ Prediction predict(const SceneData& data, const RenderSettings& settings, const 
     Prediction prediction;
     prediction.scene = data.device_bytes();
     prediction.film = Film::bytes(settings.width, settings.height);
-    const std::uint64_t stride = std::uint64_t{maps.size} + 2 * interop::MAP_BORDER;
+    const std::uint64_t stride = std::uint64_t{maps.size} + std::uint64_t{2} * interop::MAP_BORDER;
     const std::uint64_t reflectors = data.requirements.reflective_instances.size();
     if (reflectors > 0) {
         prediction.polygon_maps = reflectors * interop::CUBE_FACES * stride * stride * sizeof(glm::vec3) +

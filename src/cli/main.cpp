@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 
 #include "cli/command.h"
@@ -32,6 +34,17 @@ std::string command_line(int argc, char** argv) {
     return text;
 }
 
+/// The parser says that a subcommand is missing, but not that the word in its place is none.
+void check_subcommand(const CLI::App& app, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return;
+    std::string names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == argv[1]) return;
+        names += (names.empty() ? "" : ", ") + command->get_name();
+    }
+    throw UsageError("run", fmt::format("'{}'", argv[1]), fmt::format("there are: {}", names));
+}
+
 int exit_status(ExitCode code) { return static_cast<int>(code); }
 
 int run(int argc, char** argv) {
@@ -50,6 +63,7 @@ int run(int argc, char** argv) {
     app.footer("Exit codes: 0 success, 1 images differ, 2 wrong usage, 3 bad input, 4 no usable device, 130 "
                "interrupted.\nEnvironment: UTSURI_DEVICE chooses the device, UTSURI_VALIDATION=1 turns Vulkan "
                "validation on.");
+    check_subcommand(app, argc, argv);
     try {
         app.parse(argc, argv);
         return exit_status(action());
@@ -65,16 +79,16 @@ int main(int argc, char** argv) {
     try {
         return utsuri::run(argc, argv);
     } catch (const utsuri::Interrupted&) {
-        fmt::print(stderr, "utsuri: interrupted\n");
+        std::fputs("utsuri: interrupted\n", stderr);
         return utsuri::exit_status(utsuri::ExitCode::interrupted);
     } catch (const utsuri::Error& error) {
-        fmt::print(stderr, "utsuri: {}\n", error.what());
+        std::fprintf(stderr, "utsuri: %s\n", error.what());
         return utsuri::exit_status(error.exit_code());
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "utsuri: out of memory; use a smaller scene or picture\n");
+        std::fputs("utsuri: out of memory; use a smaller scene or picture\n", stderr);
         return utsuri::exit_status(utsuri::ExitCode::input);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "utsuri: internal error, please report it: {}\n", error.what());
+        std::fprintf(stderr, "utsuri: internal error, please report it: %s\n", error.what());
         return utsuri::exit_status(utsuri::ExitCode::device);
     }
 }

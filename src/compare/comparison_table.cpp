@@ -66,6 +66,7 @@ std::string format_seconds(double seconds) {
 }
 
 std::string format_bytes(std::uint64_t bytes) {
+    if (bytes < 1000) return fmt::format("{} B", bytes);
     return with_unit(static_cast<double>(bytes), 1024.0, std::array{"B", "KiB", "MiB", "GiB", "TiB"});
 }
 

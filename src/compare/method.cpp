@@ -52,6 +52,7 @@ ReflectionMethod parse_reflection(std::string_view name) {
 
 std::vector<Method> all_methods(LightMethod light) {
     std::vector<Method> methods;
+    methods.reserve(kReflections.size());
     for (const ReflectionMethod reflection : kReflections) methods.push_back({light, reflection});
     return methods;
 }

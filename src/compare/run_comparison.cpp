@@ -91,6 +91,7 @@ Comparison run_comparison(const RenderInput& input, const ComparisonSettings& se
     reference_settings.seed = ~settings.render.seed;
     Rendered reference = render(input, {settings.light, ReflectionMethod::trace}, reference_settings, settings.maps,
                                 settings.reference_samples, "reference direct/trace", progress);
+    if (reference.result.samples == 0) throw Interrupted();
     comparison.reference = std::move(reference.result);
     comparison.reference.image_file = "reference.exr";
     comparison.reference_noise = reference.noise.relative;

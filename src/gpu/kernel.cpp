@@ -12,6 +12,7 @@ namespace {
 
 vk::raii::DescriptorSetLayout create_set_layout(const Device& device, const std::vector<std::uint32_t>& bindings) {
     std::vector<vk::DescriptorSetLayoutBinding> entries;
+    entries.reserve(bindings.size());
     for (const std::uint32_t binding : bindings) {
         entries.emplace_back(binding, vk::DescriptorType::eStorageBuffer, 1, vk::ShaderStageFlagBits::eCompute);
     }

@@ -57,7 +57,7 @@ void add_default_camera(ImportContext& context) {
     Scene& scene = context.result.scene;
     if (!scene.cameras.empty()) return;
     scene.cameras.push_back(frame_scene(scene));
-    context.result.added.push_back(
+    context.result.added.emplace_back(
         "no camera in the file: one that frames the whole scene, named \"default\"");
 }
 

@@ -19,6 +19,7 @@ struct ImportContext {
     const Document& document;
     Buffers buffers;
     FeatureNotes ignored;
+    FeatureNotes added;
     ImportResult result;
 
     explicit ImportContext(const Document& source) : document(source), buffers(source) {}

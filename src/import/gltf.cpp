@@ -38,11 +38,13 @@ ImportResult import_gltf(const std::filesystem::path& path) {
         import_camera(context, placed);
     }
     if (context.result.scene.instances.empty()) {
-        context.result.added.push_back("no triangle in the file: the scene is empty");
+        context.result.added.emplace_back("no triangle in the file: the scene is empty");
     }
     add_default_light(context);
     add_default_camera(context);
     context.result.ignored = context.ignored.lines();
+    const Notes added = context.added.lines();
+    context.result.added.insert(context.result.added.begin(), added.begin(), added.end());
     return std::move(context.result);
 }
 

@@ -159,7 +159,7 @@ class PrimitiveReader {
         if (mesh_.triangles.empty()) return;
         if (mesh_.normals.empty()) {
             make_flat_normals(mesh_);
-            add("no NORMAL attribute, flat normals made");
+            context_.added.add("no NORMAL attribute, flat normals made", place_);
             return;
         }
         const std::size_t repaired = repair_normals(mesh_);
@@ -204,7 +204,7 @@ std::optional<std::uint32_t> MeshImporter::flattened_mesh(std::uint32_t mesh,
                                                       place, counted(lost, "triangle")));
     }
     if (flat.triangles.empty()) return std::nullopt;
-    context_.result.added.push_back(fmt::format("{}: the transform flattens, flat normals made", place));
+    context_.added.add("flattened by the transform, flat normals made", place);
     return add(std::move(flat));
 }
 

@@ -16,6 +16,9 @@ namespace {
 /// the columns; 1e-12 allows for thousands.
 constexpr double kSingular = 1e-12;
 
+/// A column this much shorter than the longest is the rounding of zero, or flat at the resolution of float32.
+constexpr double kShortColumn = 1e-14;
+
 /// A triangle whose edges span less than this, relative to their lengths, was seen edge-on by the flattening
 /// map: the rounding of its vertices, 1e-16 of their distance to the origin, then decides its normal. The
 /// margin holds for edges down to 1e-5 of that distance.
@@ -87,13 +90,17 @@ std::size_t repair_normals(Mesh& mesh) {
 }
 
 bool is_singular(const glm::dmat3& linear) {
-    // Columns are scaled to unit length first, so that no product of three tiny scales underflows.
-    glm::dmat3 unit(linear);
+    double largest = 0.0;
+    for (int i = 0; i < 9; ++i)
+        largest = std::max(largest, std::abs(linear[i / 3][i % 3]));
+    if (largest == 0.0) return true;
+    // Scaled first, so that neither squares nor products overflow or underflow.
+    glm::dmat3 unit;
     for (int column = 0; column < 3; ++column) {
-        const double largest =
-            std::max({std::abs(unit[column].x), std::abs(unit[column].y), std::abs(unit[column].z)});
-        if (largest == 0.0) return true;
-        unit[column] = glm::normalize(unit[column] / largest);
+        const glm::dvec3 scaled = linear[column] / largest;
+        const double length = glm::length(scaled);
+        if (length <= kShortColumn) return true;
+        unit[column] = scaled / length;
     }
     return std::abs(glm::determinant(unit)) <= kSingular;
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Polygonal lights of radiance 1 over Lambert receivers: closed forms of Lambert's polygon sum.
+#include "support/estimate.h"
+#include "support/light_scenes.h"
+#include "support/test_device.h"
+
 #include <glm/geometric.hpp>
 
 #include <array>
 #include <cmath>
 #include <numbers>
-
-#include "support/estimate.h"
-#include "support/light_scenes.h"
-#include "support/test_device.h"
 
 namespace utsuri::test {
 namespace {
@@ -18,7 +18,8 @@ constexpr double kAlbedo = 0.8;
 
 class AreaLights : public DeviceTest {
   protected:
-    static Estimate irradiance(const Scene& scene, glm::dvec3 eye, glm::dvec3 target, std::uint32_t samples = 256) {
+    static Estimate irradiance(const Scene& scene, glm::dvec3 eye, glm::dvec3 target,
+                               std::uint32_t samples = 256) {
         Estimate estimate = Observer(device(), scene).look(eye, target, samples);
         estimate.mean *= kPi / kAlbedo;
         estimate.standard_error *= kPi / kAlbedo;
@@ -26,7 +27,9 @@ class AreaLights : public DeviceTest {
     }
 };
 
-Material receiver() { return lambert(glm::vec3(static_cast<float>(kAlbedo))); }
+Material receiver() {
+    return lambert(glm::vec3(static_cast<float>(kAlbedo)));
+}
 
 /// A unit square of radiance 1 at a height over the ground.
 Scene under_square(double height) {
@@ -82,7 +85,8 @@ TEST_F(AreaLights, OctantTriangle) {
 // Partly below the receiver's horizon: what is below must not count. The unclipped sum would be negative.
 TEST_F(AreaLights, HorizonCutsALight) {
     const Mesh light = triangle({2, -1, -1}, {2, 0, 2}, {2, 1, -1});
-    expect_radiance(irradiance(triangle_and_receiver({0, 0, 1}, light), {-1, 0.5, 2}, {0, 0, 0}, 1024), 0.0698432912);
+    expect_radiance(irradiance(triangle_and_receiver({0, 0, 1}, light), {-1, 0.5, 2}, {0, 0, 0}, 1024),
+                    0.0698432912);
 }
 
 TEST_F(AreaLights, OneSidedLightIsDarkBehind) {
@@ -102,8 +106,9 @@ TEST_F(AreaLights, ALightIsSeenAtItsRadiance) {
     expect_radiance(observer.look({0.1, 3.0, 0.2}, {0.1, 1.0, 0.2}, 2), 0.0);
 }
 
-/// The room of the Cornell box without its blocks, vertices as published by the Cornell University Program of Computer
-/// Graphics: 552.8 to 556 wide, 548.8 high, 559.2 deep. The ceiling is left out, because the light lies in it.
+/// The room of the Cornell box without its blocks, vertices as published by the Cornell University Program of
+/// Computer Graphics: 552.8 to 556 wide, 548.8 high, 559.2 deep. The ceiling is left out, because the light
+/// lies in it.
 Scene empty_cornell_box() {
     Scene scene;
     add(scene, quad({552.8f, 0, 0}, {-552.8f, 0, 0}, {0, 0, 559.2f}), receiver());

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // White furnace: under uniform surroundings of radiance 1 a pixel is the surface's directional albedo.
-#include <array>
-#include <cmath>
-
 #include "support/estimate.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
+
+#include <array>
+#include <cmath>
 
 namespace utsuri::test {
 namespace {
@@ -30,7 +30,8 @@ constexpr std::array<double, 4> kCosines = {1.0, 0.70710678, 0.5, 0.25};
 // E = pi L, so L = albedo * L: the cosine-weighted samples carry no noise at all.
 TEST_F(Furnace, LambertPlateShowsItsAlbedo) {
     Observer observer(device(), plate_in_furnace(lambert({0.25f, 0.5f, 1.0f})));
-    for (const double mu : kCosines) expect_radiance(plate(observer, mu, 4), {0.25, 0.5, 1.0}, 1e-6);
+    for (const double mu : kCosines)
+        expect_radiance(plate(observer, mu, 4), {0.25, 0.5, 1.0}, 1e-6);
 }
 
 TEST_F(Furnace, LambertBallOfFlatFacetsShowsItsAlbedo) {
@@ -43,11 +44,11 @@ TEST_F(Furnace, LambertBallOfFlatFacetsShowsItsAlbedo) {
     }
 }
 
-// Where smooth normals differ by d from those of the facets, light below a facet but above the smooth horizon is cut:
-// at most (1 - cos d) / 2 of the whole. Nothing may be gained.
+// Where smooth normals differ by d from those of the facets, light below a facet but above the smooth horizon
+// is cut: at most (1 - cos d) / 2 of the whole. Nothing may be gained.
 TEST_F(Furnace, SmoothNormalsNeverGain) {
     constexpr int kLevel = 3;
-    const double edge = 1.05146222 / (1 << kLevel);   // of an icosahedron of radius 1, halved at each level
+    const double edge = 1.05146222 / (1 << kLevel);  // of an icosahedron of radius 1, halved at each level
     const double lost = 0.5 * (1.0 - std::cos(edge));
     Scene scene;
     scene.environment = glm::vec3(1.0f);
@@ -72,18 +73,19 @@ TEST_F(Furnace, MirrorsShowExactlyOne) {
     settings.width = settings.height = 48;
     settings.specular_depth = 64;
     const Image image = observer.picture(look_at({0.5, 2.5, 5}, {0, 0.8, 0}), settings, 4);
-    for (const glm::vec3& pixel : image.pixels) ASSERT_EQ(pixel, glm::vec3(1.0f));
+    for (const glm::vec3& pixel : image.pixels)
+        ASSERT_EQ(pixel, glm::vec3(1.0f));
     EXPECT_EQ(observer.counts().truncated, 0u);
     EXPECT_GT(observer.counts().lookups, 4u * 1000u);
 }
 
 struct AlbedoRow {
     double alpha;
-    std::array<double, 4> albedo;   ///< at kCosines
+    std::array<double, 4> albedo;  ///< at kCosines
 };
 
-// GGX with height-correlated Smith masking and F = 1: float64 quadrature of the BRDF; the row of alpha = 1 is also
-// E(mu) = 1 - mu ln(1 + 1 / mu).
+// GGX with height-correlated Smith masking and F = 1: float64 quadrature of the BRDF; the row of alpha = 1 is
+// also E(mu) = 1 - mu ln(1 + 1 / mu).
 constexpr std::array<AlbedoRow, 5> kGgxAlbedo = {{{0.04, {0.998298, 0.997372, 0.995457, 0.983592}},
                                                   {0.10, {0.988304, 0.981685, 0.969205, 0.921623}},
                                                   {0.25, {0.915812, 0.886244, 0.857263, 0.840082}},
@@ -133,8 +135,8 @@ TEST_F(Furnace, RoughMetalBallNeverGains) {
     }
 }
 
-// A smooth dielectric of F0 = 0.04: Schlick's F is mirrored, (1 - F) of the base colour is not. F = 0.04 straight on
-// and 0.04 + 0.96 / 32 = 0.07 at 60 degrees.
+// A smooth dielectric of F0 = 0.04: Schlick's F is mirrored, (1 - F) of the base colour is not. F = 0.04
+// straight on and 0.04 + 0.96 / 32 = 0.07 at 60 degrees.
 TEST_F(Furnace, SmoothDielectricSplitsByFresnel) {
     Material material = lambert(glm::vec3(0.5f));
     material.specular = 1.0f;

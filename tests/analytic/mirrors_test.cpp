@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Perfect mirrors: what they show is known from plane geometry.
-#include <glm/geometric.hpp>
-
-#include <cmath>
-
 #include "support/coded_room.h"
 #include "support/estimate.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
 
 namespace utsuri::test {
 namespace {
@@ -21,8 +21,8 @@ glm::dvec3 seen_point(Observer& observer, const CodedRoom& coded, glm::dvec3 eye
     return coded.decode(observer.look(eye, target, 16).mean);
 }
 
-// The view in a plane mirror is the direct view of the mirrored eye, pixel by pixel: its picture is mirrored too,
-// which a left-handed camera makes the same pixels with the same samples.
+// The view in a plane mirror is the direct view of the mirrored eye, pixel by pixel: its picture is mirrored
+// too, which a left-handed camera makes the same pixels with the same samples.
 TEST_F(Mirrors, PlaneMirrorShowsTheViewOfTheMirroredEye) {
     // Hit points have errors of some units in the last place of the room's size, 2^-23 * 8 m.
     constexpr float kCodingError = 1e-5f;
@@ -46,8 +46,8 @@ TEST_F(Mirrors, PlaneMirrorShowsTheViewOfTheMirroredEye) {
     EXPECT_GT(glm::length(direct.at(0, 0) - direct.at(47, 47)), 0.1f);
 }
 
-// A shining letter L behind the eye, its foot towards +x. In a mirror seen along -z, +x stays on the right and below
-// stays below; nothing is turned round, as it would be for somebody who turns to look.
+// A shining letter L behind the eye, its foot towards +x. In a mirror seen along -z, +x stays on the right
+// and below stays below; nothing is turned round, as it would be for somebody who turns to look.
 TEST_F(Mirrors, ALetterInAMirrorIsTheRightWayRound) {
     Scene scene;
     add(scene, quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), mirror());
@@ -68,8 +68,8 @@ TEST_F(Mirrors, ALetterInAMirrorIsTheRightWayRound) {
     EXPECT_DOUBLE_EQ(brightness(0.3, 0.0), 0.0);
 }
 
-// At a vertex of the ball the position and the smooth normal are those of the sphere, n = p / R: the ray along d
-// leaves along d - 2 (d . n) n.
+// At a vertex of the ball the position and the smooth normal are those of the sphere, n = p / R: the ray
+// along d leaves along d - 2 (d . n) n.
 TEST_F(Mirrors, ABallReflectsByItsNormal) {
     const CodedRoom coded(glm::dvec3(-50.0), glm::dvec3(50.0));
     Scene scene;
@@ -88,7 +88,8 @@ TEST_F(Mirrors, ABallReflectsByItsNormal) {
         // Within a close-up, the normal turns by its width over the radius, and the reflection by twice that.
         const double spread = 2.0 * kCloseUpAngle * glm::length(point - eye) / cosine;
         const glm::dvec3 wall = seen_point(observer, coded, eye, point);
-        EXPECT_LE(angle_between(wall - point, glm::reflect(along, glm::normalize(point))), spread) << "vertex " << i;
+        EXPECT_LE(angle_between(wall - point, glm::reflect(along, glm::normalize(point))), spread)
+            << "vertex " << i;
     }
     EXPECT_GE(vertices, 5);
 }
@@ -106,15 +107,17 @@ Scene facing_mirrors(float emission) {
 
 constexpr double kReflectance = static_cast<double>(0.9f);
 
-Image look_along(Observer& observer, const glm::dvec3& direction, std::uint32_t depth, std::uint32_t samples = 2) {
+Image look_along(Observer& observer, const glm::dvec3& direction, std::uint32_t depth,
+                 std::uint32_t samples = 2) {
     RenderSettings settings;
     settings.width = settings.height = kCloseUpSize;
     settings.specular_depth = depth;
     return observer.picture(look_at({0, 0, 0}, direction, kCloseUpAngle), settings, samples);
 }
 
-// Unfolded, the path advances tan = 0.1 a crossing and half of that before the first hit: hits at x = (k - 1/2) / 10,
-// the tenth at 0.95; then it leaves for the surroundings of radiance 1. Each hit reflects by Schlick's curve at that angle.
+// Unfolded, the path advances tan = 0.1 a crossing and half of that before the first hit: hits at x = (k -
+// 1/2) / 10, the tenth at 0.95; then it leaves for the surroundings of radiance 1. Each hit reflects by
+// Schlick's curve at that angle.
 TEST_F(Mirrors, AChainOfTenReflections) {
     Scene scene = facing_mirrors(0.0f);
     scene.environment = glm::vec3(1.0f);
@@ -154,7 +157,8 @@ TEST_F(Mirrors, AHundredReflectionsKeepTheirAccuracy) {
     EXPECT_NEAR(estimate.mean.x, sum, 100.0 * 0x1p-24 * sum);
 }
 
-// A mirror seen in a mirror shows the scene unmirrored: two at right angles send light back where it came from.
+// A mirror seen in a mirror shows the scene unmirrored: two at right angles send light back where it came
+// from.
 TEST_F(Mirrors, ACornerOfTwoMirrorsReturnsLight) {
     const CodedRoom coded(glm::dvec3(-10.0), glm::dvec3(10.0));
     Scene scene;

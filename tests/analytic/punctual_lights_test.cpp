@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Point, spot and directional lights above a Lambert plane: L = albedo / pi * E, with E from KHR_lights_punctual.
-#include <cmath>
-#include <numbers>
-
+// Point, spot and directional lights above a Lambert plane: L = albedo / pi * E, with E from
+// KHR_lights_punctual.
 #include "support/estimate.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
+
+#include <cmath>
+#include <numbers>
 
 namespace utsuri::test {
 namespace {

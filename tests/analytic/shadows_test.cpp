@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shadows with known answers, and light that must not leak.
+#include "support/estimate.h"
+#include "support/light_scenes.h"
+#include "support/test_device.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
 #include <numbers>
-
-#include "support/estimate.h"
-#include "support/light_scenes.h"
-#include "support/test_device.h"
 
 namespace utsuri::test {
 namespace {
@@ -46,7 +46,8 @@ TEST_F(Shadows, ABlockerBeyondALightTakesNothing) {
     expect_radiance(Observer(device(), scene).look({1.0, 0.5, 2.0}, {1.0, 0.0, 0.0}, 2), 0.353553391 / kPi);
 }
 
-// Symmetry: a blocker over one half of the unit square of radiance 1 leaves half of 0.752274688 below its centre.
+// Symmetry: a blocker over one half of the unit square of radiance 1 leaves half of 0.752274688 below its
+// centre.
 TEST_F(Shadows, ABlockerOverHalfALightTakesHalf) {
     Scene scene;
     add(scene, ground(2.0f), lambert(glm::vec3(1.0f)));
@@ -63,7 +64,8 @@ Scene dark_room(const Material& walls, const glm::dmat4& placement, float thickn
     add(scene, room(glm::vec3(-1.0f), glm::vec3(1.0f)), walls);
     const glm::vec3 outer(1.0f + thickness);
     if (thickness > 0.0f) add(scene, block(-outer, outer), emitter(glm::vec3(1000.0f)));
-    for (Instance& instance : scene.instances) instance.world_from_object = placement;
+    for (Instance& instance : scene.instances)
+        instance.world_from_object = placement;
     scene.lights.push_back(point_light({3.0, 0.5, 0.2}, 1e6f));
     scene.lights.push_back(point_light({-0.5, -4.0, 3.0}, 1e6f));
     Light sun;
@@ -85,16 +87,21 @@ class LightLeaks : public DeviceTest {
     /// Every pixel of views from inside at a wall, an edge and a corner, wide and close.
     static void expect_dark(const Scene& scene, const glm::dmat4& placement, std::uint32_t samples) {
         Observer observer(device(), scene);
-        const auto place = [&](const glm::dvec3& point) { return glm::dvec3(placement * glm::dvec4(point, 1.0)); };
-        for (const glm::dvec3 target : {glm::dvec3(1, 0.2, 0.1), glm::dvec3(1, 1, 0.3), glm::dvec3(-1, -1, -1)}) {
+        const auto place = [&](const glm::dvec3& point) {
+            return glm::dvec3(placement * glm::dvec4(point, 1.0));
+        };
+        for (const glm::dvec3 target :
+             {glm::dvec3(1, 0.2, 0.1), glm::dvec3(1, 1, 0.3), glm::dvec3(-1, -1, -1)}) {
             for (const double angle : {1.5, 0.01, kCloseUpAngle}) {
-                SCOPED_TRACE(testing::Message() << target.x << ' ' << target.y << ' ' << target.z << ", " << angle);
+                SCOPED_TRACE(testing::Message()
+                             << target.x << ' ' << target.y << ' ' << target.z << ", " << angle);
                 RenderSettings settings;
                 settings.width = settings.height = 32;
                 settings.specular_depth = 32;
                 const Camera camera = look_at(place({0.1, -0.05, 0.2}), place(target), angle);
                 const Image image = observer.picture(camera, settings, samples);
-                for (const glm::vec3& pixel : image.pixels) ASSERT_EQ(pixel, glm::vec3(0.0f));
+                for (const glm::vec3& pixel : image.pixels)
+                    ASSERT_EQ(pixel, glm::vec3(0.0f));
             }
         }
     }

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Texture lookups: wrap modes, filters, the sRGB curve and what each slot does, against their definitions.
-#include <array>
-#include <cmath>
-#include <numbers>
-
 #include "support/estimate.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
 
 namespace utsuri::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-/// The sRGB curve goes through the device's pow(), which Vulkan binds to exp2(x log2 y): some dozens of units in the
-/// last place. A gamma of 2.2 instead would be wrong by percents.
+/// The sRGB curve goes through the device's pow(), which Vulkan binds to exp2(x log2 y): some dozens of units
+/// in the last place. A gamma of 2.2 instead would be wrong by percents.
 constexpr double kCurveError = 1e-4;
 
 class Textures : public DeviceTest {};
@@ -34,7 +34,8 @@ Texture test_texture() {
         for (int x = 0; x < kWidth; ++x) {
             const auto column = static_cast<std::uint8_t>(20 + 70 * x);
             const auto row = static_cast<std::uint8_t>(200 - 130 * y);
-            texture.rgba.insert(texture.rgba.end(), {column, row, static_cast<std::uint8_t>(2 + x + 4 * y), 255});
+            texture.rgba.insert(texture.rgba.end(),
+                                {column, row, static_cast<std::uint8_t>(2 + x + 4 * y), 255});
         }
     }
     return texture;
@@ -86,18 +87,14 @@ glm::dvec3 shown_at(Observer& observer, glm::dvec2 uv, std::uint32_t samples = 4
 
 void expect_colour(const glm::dvec3& shown, const glm::dvec3& expected) {
     for (int channel = 0; channel < 3; ++channel) {
-        EXPECT_NEAR(shown[channel], expected[channel], kCurveError * expected[channel]) << "channel " << channel;
+        EXPECT_NEAR(shown[channel], expected[channel], kCurveError * expected[channel])
+            << "channel " << channel;
     }
 }
 
 /// Inside the picture, and outside on every side; off the edges of texels by more than a close-up's width.
-constexpr std::array<glm::dvec2, 7> kPlaces = {{{0.1, 0.2},
-                                                {0.66, 0.7},
-                                                {1.1, 0.3},
-                                                {2.7, 1.8},
-                                                {-0.2, 0.6},
-                                                {-1.4, -0.9},
-                                                {0.97, -0.1}}};
+constexpr std::array<glm::dvec2, 7> kPlaces = {
+    {{0.1, 0.2}, {0.66, 0.7}, {1.1, 0.3}, {2.7, 1.8}, {-0.2, 0.6}, {-1.4, -0.9}, {0.97, -0.1}}};
 
 Scene emitting_square(const TextureSlot& slot) {
     Scene scene;
@@ -113,14 +110,15 @@ TEST_F(Textures, WrapModesWithBothFilters) {
     const TextureWrap repeat = TextureWrap::repeat;
     const TextureWrap clamp = TextureWrap::clamp_to_edge;
     const TextureWrap mirrored = TextureWrap::mirrored_repeat;
-    for (const auto& [s, t] : {std::pair(repeat, mirrored), std::pair(clamp, repeat), std::pair(mirrored, clamp)}) {
+    for (const auto& [s, t] :
+         {std::pair(repeat, mirrored), std::pair(clamp, repeat), std::pair(mirrored, clamp)}) {
         for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::linear}) {
             const TextureSlot slot{0, s, t, filter};
             Observer observer(device(), emitting_square(slot));
             for (const glm::dvec2& uv : kPlaces) {
-                SCOPED_TRACE(testing::Message() << "wrap " << static_cast<int>(s) << ' ' << static_cast<int>(t)
-                                                << ", filter " << static_cast<int>(filter) << ", at " << uv.x << ' '
-                                                << uv.y);
+                SCOPED_TRACE(testing::Message()
+                             << "wrap " << static_cast<int>(s) << ' ' << static_cast<int>(t) << ", filter "
+                             << static_cast<int>(filter) << ", at " << uv.x << ' ' << uv.y);
                 expect_colour(shown_at(observer, uv),
                               filter == TextureFilter::nearest ? nearest(uv, slot) : linear(uv, slot));
             }
@@ -138,12 +136,13 @@ TEST_F(Textures, BaseColourTextureScalesTheFactor) {
     add(scene, textured_square(), material);
     Observer observer(device(), scene);
     for (const glm::dvec2 uv : {glm::dvec2(0.1, 0.2), glm::dvec2(0.66, 0.7)}) {
-        expect_colour(shown_at(observer, uv), glm::dvec3(1.0, 0.5, 0.25) * linear(uv, material.base_colour_texture));
+        expect_colour(shown_at(observer, uv),
+                      glm::dvec3(1.0, 0.5, 0.25) * linear(uv, material.base_colour_texture));
     }
 }
 
-// Green is roughness, blue is metallic, and neither is sRGB coded: bytes 0 and 51 make a mirror, a fifth of it metal.
-// Straight on it shows 4/5 (0.04 + 0.96 base) + 1/5 base.
+// Green is roughness, blue is metallic, and neither is sRGB coded: bytes 0 and 51 make a mirror, a fifth of
+// it metal. Straight on it shows 4/5 (0.04 + 0.96 base) + 1/5 base.
 TEST_F(Textures, MetallicRoughnessTextureIsLinear) {
     Scene scene;
     scene.environment = glm::vec3(1.0f);
@@ -160,8 +159,8 @@ TEST_F(Textures, MetallicRoughnessTextureIsLinear) {
     EXPECT_GT(observer.counts().lookups, 0u);
 }
 
-// Far below a unit square the light is the mean radiance times 9.99999667e-7 (Lambert's sum at height 1000), wherever
-// on the square it comes from.
+// Far below a unit square the light is the mean radiance times 9.99999667e-7 (Lambert's sum at height 1000),
+// wherever on the square it comes from.
 TEST_F(Textures, LightOfAnEmissiveTextureIsItsMean) {
     Scene scene;
     scene.textures.push_back(test_texture());
@@ -171,7 +170,8 @@ TEST_F(Textures, LightOfAnEmissiveTextureIsItsMean) {
     add(scene, ground(2.0f), lambert(glm::vec3(1.0f)));
     add(scene, ceiling({0, 1000, 0}, 0.5f), material);
     glm::dvec3 mean(0.0);
-    for (int i = 0; i < kWidth * kHeight; ++i) mean += texel(i % kWidth, i / kWidth) / double{kWidth * kHeight};
+    for (int i = 0; i < kWidth * kHeight; ++i)
+        mean += texel(i % kWidth, i / kWidth) / double{kWidth * kHeight};
     const Estimate estimate = Observer(device(), scene).look({1, 1, 0.5}, {0, 0, 0}, 4096);
     const glm::dvec3 expected = glm::dvec3(2.0, 3.0, 50.0) * mean * 9.99999667e-7 / kPi;
     for (int channel = 0; channel < 3; ++channel) {

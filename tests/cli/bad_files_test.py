@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Scene files that cannot be drawn: each is exit code 3, with the file, the place in it and what would be right."""
+"""Scene files that cannot be drawn: each is exit code 3, with the file, the place in it and what is right."""
 import unittest
 
 import gltf_scene
@@ -71,7 +71,8 @@ class BadFiles(CliCase):
 
     def test_index_out_of_range(self):
         document, buffer = gltf_scene.mesh_document(indices=(0, 1, 4))
-        self.refuse_document(document, buffer, "meshes[0].primitives[0].indices", "index 2 is 4", "must be below", "4")
+        self.refuse_document(document, buffer, "meshes[0].primitives[0].indices", "index 2 is 4",
+                             "must be below the number of vertices, 4")
 
     def test_reference_to_nothing(self):
         document, buffer = gltf_scene.mesh_document()
@@ -99,7 +100,8 @@ class BadFiles(CliCase):
         document["materials"] = [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}]
         document["meshes"][0]["primitives"][0]["material"] = 0
         document["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = 2
-        document["accessors"].append({"bufferView": 0, "componentType": gltf_scene.FLOAT, "count": 4, "type": "VEC2"})
+        texcoords = {"bufferView": 0, "componentType": gltf_scene.FLOAT, "count": 4, "type": "VEC2"}
+        document["accessors"].append(texcoords)
         self.refuse_document(document, buffer, "images[0].uri", "lost.png", "must be a readable file")
 
     def test_missing_buffer_file(self):

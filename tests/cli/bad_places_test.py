@@ -20,28 +20,28 @@ class BadPlaces(CliCase):
     def refuse_picture(self, output, *words):
         with self.subTest(output=output):
             # So many samples would take hours: the place is tried before the work.
-            self.fail_with(INPUT, (output, *words), "render", "scene.glb", "-o", output, "--spp", 2**24)
+            self.fail_with(INPUT, words, "render", "scene.glb", "-o", output, "--spp", 2**24)
 
     def refuse_folder(self, folder, *words):
         with self.subTest(folder=folder):
             self.fail_with(INPUT, (folder, *words), "compare", "scene.glb", "-o", folder, "--spp", 2**24)
 
     def test_folder_that_is_missing(self):
-        self.refuse_picture("nowhere/picture.exr", "create it or choose another")
+        self.refuse_picture("nowhere/picture.exr", "'nowhere/picture.exr'", "create it or choose another")
 
     def test_folder_that_is_a_file(self):
-        self.refuse_picture("scene.glb/picture.exr", "'scene.glb' is not a folder")
+        self.refuse_picture("scene.glb/picture.exr", "'scene.glb/picture.exr'", "'scene.glb' is not a folder")
         self.refuse_folder("scene.glb")
         self.refuse_folder("scene.glb/report")
 
     @unittest.skipUnless(KERNEL_FOLDER.is_dir(), "this system has no folder that refuses everybody")
     def test_folder_that_refuses(self):
-        self.refuse_picture(str(KERNEL_FOLDER / "picture.exr"))
+        self.refuse_picture(str(KERNEL_FOLDER / "picture.exr"), f"'{KERNEL_FOLDER}'", "permission denied")
         self.refuse_folder(str(KERNEL_FOLDER / "report"))
 
     def test_picture_that_is_a_folder(self):
         (self.scratch / "taken.exr").mkdir()
-        self.refuse_picture("taken.exr", "expected a file name")
+        self.refuse_picture("taken.exr", "'taken.exr'", "expected a file name")
 
     def test_error_map_and_json(self):
         self.succeed("render", "scene.glb", "-o", "picture.png", *SMALL)
@@ -58,7 +58,8 @@ class BadPlaces(CliCase):
             words = ("no Vulkan driver is installed", "mesa-vulkan-drivers")
             with self.subTest(validation=validation):
                 self.fail_with(DEVICE, words, "devices", environment=environment)
-                self.fail_with(DEVICE, words, "render", "scene.glb", "-o", "picture.exr", environment=environment)
+                self.fail_with(DEVICE, words, "render", "scene.glb", "-o", "picture.exr",
+                               environment=environment)
                 self.fail_with(DEVICE, words, "compare", "scene.glb", "-o", "folder", environment=environment)
 
     def test_scenes_and_pictures_need_no_device(self):

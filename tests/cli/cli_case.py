@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Base of the tests that run the program.
 
-UTSURI_PROGRAM names the program and UTSURI_SCENES the folder of scenes. With UTSURI_VALIDATION=1 the program exits
-with 4 on any message of the Vulkan validation layer, so every run here is a validation test, too.
+UTSURI_PROGRAM names the program and UTSURI_SCENES the folder of scenes. With UTSURI_VALIDATION=1 the program
+exits with 4 on any message of the Vulkan validation layer, so every run here is a validation test, too.
 """
 import json
 import os
@@ -18,12 +18,10 @@ SUCCESS, DIFFERENCE, USAGE, INPUT, DEVICE, INTERRUPTED = 0, 1, 2, 3, 4, 130
 TIMEOUT_SECONDS = 240
 
 # What a crash or an escaped exception leaves behind.
-CRASH_WORDS = ("terminate called", "internal error", "check failed", "Sanitizer", "runtime error", "Segmentation",
-               "core dumped", "std::", "Traceback")
+CRASH_WORDS = ("terminate called", "internal error", "check failed", "Sanitizer", "runtime error",
+               "Segmentation", "core dumped", "std::", "Traceback")
 
 SMALL = ("--size", "16x12")
-# Options that make a comparison cheap; maps of 16 texels are enough for every code path.
-CHEAP_COMPARE = ("--size", "64x48", "--spp", "2", "--reference-spp", "4", "--map-size", "16", "--map-spp", "1")
 
 
 def environment_path(name):
@@ -34,6 +32,12 @@ def environment_path(name):
     if not path.exists():
         raise SystemExit(f"{name} is '{path}', which does not exist")
     return path
+
+
+def cheap_compare(samples=2, reference_samples=4):
+    """Options that make a comparison cheap; maps of 16 texels are enough for every code path."""
+    return ("--size", "64x48", "--spp", str(samples), "--reference-spp", str(reference_samples),
+            "--map-size", "16", "--map-spp", "1")
 
 
 class CliCase(unittest.TestCase):
@@ -51,8 +55,9 @@ class CliCase(unittest.TestCase):
 
     def run_program(self, *arguments, environment=None):
         """The finished process. It works in the scratch folder, so relative paths land there."""
-        return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, check=False,
-                              cwd=self.scratch, timeout=TIMEOUT_SECONDS, env={**os.environ, **(environment or {})})
+        return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True,
+                              check=False, cwd=self.scratch, timeout=TIMEOUT_SECONDS,
+                              env={**os.environ, **(environment or {})})
 
     def succeed(self, *arguments, code=SUCCESS, environment=None):
         done = self.run_program(*arguments, environment=environment)

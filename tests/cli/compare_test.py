@@ -6,11 +6,11 @@ import tempfile
 import unittest
 
 import picture_file
-from cli_case import CHEAP_COMPARE, DIFFERENCE, CliCase
+from cli_case import DIFFERENCE, CliCase, cheap_compare
 
 METHODS = ["direct/trace", "direct/polygon-map", "direct/sphere-map"]
-TOP_FIELDS = {"schema": int, "utsuri": str, "scene": str, "device": dict, "width": int, "height": int, "seed": int,
-              "light": str, "reference": dict, "methods": list}
+TOP_FIELDS = {"schema": int, "utsuri": str, "scene": str, "device": dict, "width": int, "height": int,
+              "seed": int, "light": str, "reference": dict, "methods": list}
 RESULT_FIELDS = {"name": str, "light": str, "reflection": str, "settings": dict, "prepare_seconds": float,
                  "frame_seconds": float, "gpu_seconds": float, "peak_bytes": int, "rays": int,
                  "traced_fraction": float, "nonfinite": int, "image": str}
@@ -31,8 +31,8 @@ class Compare(CliCase):
         for name, kind in fields.items():
             self.assertIsInstance(values[name], (int, float) if kind is float else kind, name)
 
-    def compare(self, name, *options, code=0):
-        return self.json_of("compare", self.scene(name), "-o", "report", *CHEAP_COMPARE, *options, code=code)
+    def compare(self, name, *options, **samples):
+        return self.json_of("compare", self.scene(name), "-o", "report", *cheap_compare(**samples), *options)
 
 
 class CompareOffice(Compare):
@@ -48,7 +48,7 @@ class CompareOffice(Compare):
         super().setUp()
         self.scratch = pathlib.Path(self.holder.name)
         if self.done is None:
-            type(self).done = self.succeed("compare", self.scene("office"), "-o", "report", *CHEAP_COMPARE,
+            type(self).done = self.succeed("compare", self.scene("office"), "-o", "report", *cheap_compare(),
                                            "--seed", "5", "--json", "copy.json")
         self.values = self.load("report/compare.json")
 
@@ -112,7 +112,8 @@ class CompareOffice(Compare):
 
     def test_metrics(self):
         for result in self.values["methods"]:
-            for group, pixels in (("metrics", 64 * 48), ("metrics_reflective", self.values["reflective_pixels"])):
+            reflective = self.values["reflective_pixels"]
+            for group, pixels in (("metrics", 64 * 48), ("metrics_reflective", reflective)):
                 metrics = result[group]
                 self.assertEqual(sorted(metrics), sorted([*METRICS, "pixels", "nonfinite"]))
                 self.assertEqual((metrics["pixels"], metrics["nonfinite"]), (pixels, 0))
@@ -152,18 +153,19 @@ class CompareOthers(Compare):
         self.assertEqual(len(errors), 1)
 
     def test_threshold(self):
-        arguments = ("compare", self.scene("cornell"), "-o", "report", *CHEAP_COMPARE, "--methods", "trace")
+        arguments = ("compare", self.scene("cornell"), "-o", "report", *cheap_compare(), "--methods", "trace")
         done = self.succeed(*arguments, "--fail-above", "0", code=DIFFERENCE)
         self.assertRegex(done.stderr, r"direct/trace: relMSE \S+ is above 0")
         self.succeed(*arguments, "--fail-above", "1e9")
 
     def test_methods_subset(self):
         values = self.compare("spheres", "--methods", "sphere-map,trace")
-        self.assertEqual([result["name"] for result in values["methods"]], ["direct/sphere-map", "direct/trace"])
+        names = [result["name"] for result in values["methods"]]
+        self.assertEqual(names, ["direct/sphere-map", "direct/trace"])
         self.assertEqual({path.name for path in (self.scratch / "report").iterdir()}, named_files(values))
 
     def test_odd_reference_becomes_even(self):
-        values = self.compare("cornell", "--methods", "trace", "--reference-spp", "3")
+        values = self.compare("cornell", "--methods", "trace", reference_samples=3)
         self.assertEqual(values["reference"]["settings"]["samples"], 4)
 
     def test_same_seed_same_errors(self):
@@ -174,15 +176,16 @@ class CompareOthers(Compare):
 
     def test_reference_has_samples_of_its_own(self):
         # As many samples and the same seed: without seeds of its own the reference would equal the method.
-        values = self.compare("cornell", "--methods", "trace", "--spp", "4")
+        values = self.compare("cornell", "--methods", "trace", samples=4)
         self.assertGreater(values["methods"][0]["metrics"]["mse"], 0.0)
 
     def test_default_folder(self):
-        self.succeed("compare", self.scene("cornell"), *CHEAP_COMPARE, "--methods", "trace", "--quiet")
+        self.succeed("compare", self.scene("cornell"), *cheap_compare(), "--methods", "trace", "--quiet")
         self.assertTrue((self.scratch / "compare-cornell/compare.json").is_file())
 
     def test_quiet(self):
-        done = self.succeed("compare", self.scene("cornell"), *CHEAP_COMPARE, "--methods", "trace", "--quiet")
+        done = self.succeed("compare", self.scene("cornell"), *cheap_compare(), "--methods", "trace",
+                            "--quiet")
         self.assertEqual((done.stdout, done.stderr), ("", ""))
 
     def test_notes_are_kept(self):

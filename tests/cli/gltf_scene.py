@@ -22,15 +22,17 @@ def mesh_document(positions=QUAD, indices=QUAD_INDICES, camera=True, light=True)
         "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0, "name": "thing"}],
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
-        "accessors": [{"bufferView": 0, "componentType": FLOAT, "count": len(positions), "type": "VEC3"},
-                      {"bufferView": 1, "componentType": UNSIGNED_SHORT, "count": len(indices), "type": "SCALAR"}],
+        "accessors": [
+            {"bufferView": 0, "componentType": FLOAT, "count": len(positions), "type": "VEC3"},
+            {"bufferView": 1, "componentType": UNSIGNED_SHORT, "count": len(indices), "type": "SCALAR"}],
         "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": len(points)},
                         {"buffer": 0, "byteOffset": len(points), "byteLength": len(numbers)}],
         "buffers": [{"byteLength": len(buffer)}],
     }
     if camera:
         add_node(document, {"camera": 0, "translation": [0, 0, 3]})
-        document["cameras"] = [{"type": "perspective", "perspective": {"yfov": 0.9, "znear": 0.1}, "name": "front"}]
+        lens = {"yfov": 0.9, "znear": 0.1}
+        document["cameras"] = [{"type": "perspective", "perspective": lens, "name": "front"}]
     if light:
         add_node(document, {"translation": [1, 1, 3], "extensions": {"KHR_lights_punctual": {"light": 0}}})
         document["extensionsUsed"] = ["KHR_lights_punctual"]
@@ -58,5 +60,6 @@ def glb_bytes(document, buffer):
     text = json.dumps(document).encode("utf-8")
     text += b" " * (-len(text) % 4)
     buffer += b"\0" * (-len(buffer) % 4)
-    chunks = struct.pack("<II", len(text), JSON_CHUNK) + text + struct.pack("<II", len(buffer), BIN_CHUNK) + buffer
+    chunks = struct.pack("<II", len(text), JSON_CHUNK) + text
+    chunks += struct.pack("<II", len(buffer), BIN_CHUNK) + buffer
     return struct.pack("<III", GLB_MAGIC, 2, 12 + len(chunks)) + chunks

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Ctrl-C during long work: exit code 130, with what was finished saved. The work is followed by the progress line,
-which the program shows on a terminal, so that no test has to guess how long a machine takes."""
+"""Ctrl-C during long work: exit code 130, with what was finished saved. The work is followed by the progress
+line, which the program shows on a terminal, so that no test has to guess how long a machine takes."""
 import os
 import re
 import select
@@ -16,18 +16,18 @@ import picture_file
 from cli_case import CRASH_WORDS, INTERRUPTED, SMALL, TIMEOUT_SECONDS, CliCase
 
 HOURS = str(2**24)  # samples that take hours
-ENDLESS_MAPS = ("--map-size", "1024", "--map-spp", "65536")
+ENDLESS_MAPS = ("--map-size", "512", "--map-spp", "65536")
 ERASE_LINE = "\r\033[K"
 
 
 @unittest.skipIf(sys.platform == "win32", "there is no Ctrl-C to send to a child")
 class Interrupt(CliCase):
     def interrupt(self, stage, *arguments):
-        """Sends SIGINT as soon as the terminal shows `stage`, a pattern. Returns all that the terminal showed."""
+        """Sends SIGINT as soon as the terminal shows `stage`, a pattern. Returns all that it showed."""
         terminal, end = os.openpty()
         self.addCleanup(os.close, terminal)
-        process = subprocess.Popen([self.program, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=end,
-                                   cwd=self.scratch)
+        process = subprocess.Popen([self.program, *map(str, arguments)], stdout=subprocess.DEVNULL,
+                                   stderr=end, cwd=self.scratch)
         os.close(end)
         self.addCleanup(process.kill)
         shown, sent, last = "", False, time.monotonic() + TIMEOUT_SECONDS
@@ -68,13 +68,13 @@ class Interrupt(CliCase):
         picture_file.read_png(self.scratch / "picture.png")
 
     def test_render_without_a_sample_leaves_nothing(self):
-        self.interrupt("preparing", "render", self.scene("office"), "-o", "picture.exr", *SMALL, *ENDLESS_MAPS,
-                       "--reflection", "polygon-map")
+        self.interrupt("preparing", "render", self.scene("office"), "-o", "picture.exr", *SMALL,
+                       *ENDLESS_MAPS, "--reflection", "polygon-map")
         self.assertEqual(self.files(), [])
 
     def test_compare_keeps_finished_methods(self):
-        self.interrupt("direct/polygon-map, capturing maps", "compare", self.scene("office"), "-o", "report", *SMALL,
-                       "--spp", "2", "--reference-spp", "2", *ENDLESS_MAPS)
+        self.interrupt("direct/polygon-map, capturing maps", "compare", self.scene("office"), "-o", "report",
+                       *SMALL, "--spp", "2", "--reference-spp", "2", *ENDLESS_MAPS)
         values = self.load("report/compare.json")
         self.assertTrue(values["interrupted"])
         self.assertEqual([result["name"] for result in values["methods"]], ["direct/trace"])
@@ -82,8 +82,8 @@ class Interrupt(CliCase):
         self.assertEqual(present, compare_test.named_files(values))
 
     def test_compare_keeps_a_part_of_the_reference(self):
-        self.interrupt(r"reference direct/trace, \d+ samples per pixel: \d+ %", "compare", self.scene("cornell"),
-                       "-o", "report", *SMALL, "--reference-spp", HOURS)
+        self.interrupt(r"reference direct/trace, \d+ samples per pixel: \d+ %", "compare",
+                       self.scene("cornell"), "-o", "report", *SMALL, "--reference-spp", HOURS)
         values = self.load("report/compare.json")
         self.assertTrue(values["interrupted"])
         self.assertEqual(values["methods"], [])

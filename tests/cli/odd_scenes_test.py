@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Scenes that lack something or hold triangles that cannot be drawn: they render, and the program says what it did."""
+"""Scenes that lack something or hold triangles that cannot be drawn: they render, and the program says so."""
 import math
 import unittest
 
@@ -75,7 +75,7 @@ class OddScenes(CliCase):
         document["extensionsUsed"].append("KHR_materials_clearcoat")
         document["meshes"][0]["primitives"][0]["material"] = 0
         _, told = self.render(self.write(document, buffer))
-        self.assertRegex(told, r"note: .*KHR_materials_clearcoat is not supported \(clear coats are not drawn\)")
+        self.assertIn("KHR_materials_clearcoat is not supported (clear coats are not drawn)", told)
         self.assertIn("materials[0]", told)
 
 

@@ -64,7 +64,8 @@ def read_exr_header(path):
 def write_grey_png(path, width, height, level):
     """An 8-bit greyscale picture of one level, 0 to 255."""
     def chunk(kind, contents):
-        return struct.pack(">I", len(contents)) + kind + contents + struct.pack(">I", zlib.crc32(kind + contents))
+        checksum = zlib.crc32(kind + contents)
+        return struct.pack(">I", len(contents)) + kind + contents + struct.pack(">I", checksum)
 
     rows = (b"\0" + bytes([level]) * width) * height
     path.write_bytes(PNG_SIGNATURE + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) +

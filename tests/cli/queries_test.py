@@ -43,7 +43,8 @@ class Queries(CliCase):
                 self.assertTrue(device[name], name)
         chosen = values["devices"][values["chosen"]]
         self.assertEqual(chosen["missing"], [])
-        self.assertEqual(self.json_of("devices", "--device", chosen["name"].upper())["chosen"], values["chosen"])
+        by_name = self.json_of("devices", "--device", chosen["name"].upper())
+        self.assertEqual(by_name["chosen"], values["chosen"])
         self.assertEqual(self.succeed("devices", "--quiet").stdout, "")
 
     def test_info_text(self):

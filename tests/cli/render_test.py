@@ -69,8 +69,8 @@ class Render(CliCase):
 
     def test_json(self):
         values = self.render("picture.exr", "--spp", "2", "--seed", "7", "--depth", "5")
-        expected = {"image": "picture.exr", "light": "direct", "reflection": "trace", "width": 16, "height": 12,
-                    "seed": 7, "specular_depth": 5, "samples": 2, "nonfinite": 0}
+        expected = {"image": "picture.exr", "light": "direct", "reflection": "trace", "width": 16,
+                    "height": 12, "seed": 7, "specular_depth": 5, "samples": 2, "nonfinite": 0}
         self.assertEqual({name: values[name] for name in expected}, expected)
         self.assertEqual(sorted(values["device"]), ["api", "driver", "name"])
         # Every sample follows a ray from the camera, and one to the light where that hits something.
@@ -86,10 +86,12 @@ class Render(CliCase):
 
     def test_maps_with_the_same_seed(self):
         for reflection in ("polygon-map", "sphere-map"):
-            arguments = ("render", self.scene("spheres"), *SMALL, *MAPS, "--spp", "2", "--reflection", reflection)
+            arguments = ("render", self.scene("spheres"), *SMALL, *MAPS, "--spp", "2",
+                         "--reflection", reflection)
             for name in ("first.exr", "second.exr"):
                 self.assertEqual(self.json_of(*arguments, "-o", name)["reflection"], reflection)
-            self.assertEqual((self.scratch / "first.exr").read_bytes(), (self.scratch / "second.exr").read_bytes())
+            first, second = ((self.scratch / name).read_bytes() for name in ("first.exr", "second.exr"))
+            self.assertEqual(first, second)
 
     def test_default_samples(self):
         self.assertEqual(self.render("picture.exr")["samples"], 16)
@@ -125,7 +127,8 @@ class Render(CliCase):
         self.assertIn("picture.exr: 16 samples", loud.stdout)
 
     def test_json_file(self):
-        done = self.succeed("render", self.scene("cornell"), "-o", "picture.exr", *SMALL, "--json", "result.json")
+        done = self.succeed("render", self.scene("cornell"), "-o", "picture.exr", *SMALL,
+                            "--json", "result.json")
         self.assertIn("picture.exr", done.stdout)
         self.assertEqual(self.load("result.json")["samples"], 16)
         self.assert_no_partial_files()

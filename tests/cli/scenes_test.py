@@ -13,8 +13,8 @@ LEAST_TRIANGLES = 50000
 
 
 class Scenes(CliCase):
-    def render(self, path, reflection, *options):
-        values = self.json_of("render", path, "-o", "picture.exr", "--reflection", reflection, *SETTINGS, *options)
+    def render(self, path, reflection):
+        values = self.json_of("render", path, "-o", "picture.exr", "--reflection", reflection, *SETTINGS)
         self.assertEqual(values["nonfinite"], 0)
         self.assertEqual(values["samples"], 4)
         self.assertGreater(values["rays"], 32 * 24 * 4)

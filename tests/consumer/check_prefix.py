@@ -6,8 +6,9 @@ import pathlib
 import subprocess
 import sys
 
-HEADERS = ("base/error.h", "base/version.h", "geometry/bvh.h", "gpu/device.h", "interop/scene.h", "scene/scene.h",
-           "renderers/common/film.h", "renderers/ray_trace/ray_tracer.h", "compare/run_comparison.h")
+HEADERS = ("base/error.h", "base/version.h", "geometry/bvh.h", "gpu/device.h", "interop/scene.h",
+           "scene/scene.h", "renderers/common/film.h", "renderers/ray_trace/ray_tracer.h",
+           "compare/run_comparison.h")
 
 
 def faults(prefix, source, build):
@@ -30,7 +31,8 @@ def faults(prefix, source, build):
     if not os.access(program, os.X_OK):
         yield f"{program}: is no program"
     else:
-        version = subprocess.run([program, "--version"], capture_output=True, text=True, check=False, timeout=60)
+        version = subprocess.run([program, "--version"], capture_output=True, text=True, check=False,
+                                 timeout=60)
         if version.returncode != 0 or not version.stdout.startswith("utsuri "):
             yield f"{program}: --version says {version.stdout!r} and exits with {version.returncode}"
 

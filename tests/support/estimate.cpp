@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/estimate.h"
 
+#include "renderers/common/frame_camera.h"
+
+#include "kernels/trace_direct.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "kernels/trace_direct.h"
-#include "renderers/common/frame_camera.h"
 
 namespace utsuri::test {
 
 Estimate estimate_of(const Image& image) {
     const auto count = static_cast<double>(image.pixels.size());
     Estimate estimate;
-    for (const glm::vec3& pixel : image.pixels) estimate.mean += glm::dvec3(pixel) / count;
+    for (const glm::vec3& pixel : image.pixels)
+        estimate.mean += glm::dvec3(pixel) / count;
     glm::dvec3 squares(0.0);
     for (const glm::vec3& pixel : image.pixels) {
         const glm::dvec3 difference = glm::dvec3(pixel) - estimate.mean;
@@ -38,14 +40,17 @@ void expect_radiance(const Estimate& estimate, double expected, double power) {
 }
 
 Observer::Observer(Device& device, const Scene& scene)
-    : device_(device), data_(prepare_scene_data(scene)), gpu_scene_(device, data_),
-      kernel_(device, "trace_direct", kernels::trace_direct, gpu_scene_.specialization(), gpu_scene_.bindings()) {}
+    : device_(device),
+      data_(prepare_scene_data(scene)),
+      gpu_scene_(device, data_),
+      kernel_(device, "trace_direct", kernels::trace_direct, gpu_scene_.specialization(),
+              gpu_scene_.bindings()) {}
 
 Image Observer::picture(const Camera& camera, const RenderSettings& settings, std::uint32_t samples) {
     Film film(device_, settings.width, settings.height, "observed film");
     Progress progress;
-    const FrameSettings frame{make_camera_info(camera, data_.origin, settings.width, settings.height), settings.seed,
-                              settings.specular_depth, interop::NONE};
+    const FrameSettings frame{make_camera_info(camera, data_.origin, settings.width, settings.height),
+                              settings.seed, settings.specular_depth, interop::NONE};
     counts_ = kernel_.add_samples(film, frame, samples, progress);
     EXPECT_EQ(counts_.nonfinite, 0u);
     return film.resolve();

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <memory>
-
-#include "gpu/device.h"
 #include "renderers/common/gpu_scene.h"
 #include "renderers/common/renderer.h"
 #include "support/scenes.h"
+
+#include "gpu/device.h"
+
+#include <cstdint>
+#include <memory>
 
 namespace utsuri::test {
 
@@ -18,16 +19,16 @@ inline constexpr double kPower = 3e-4;
 /// Relative error of fewer than about 30 float32 roundings without cancellation: 30 * 2^-24.
 inline constexpr double kRounding = 2e-6;
 
-/// Mean over the pixels of a picture that all have the same expected value, and its standard error from their spread.
-/// Pixels are independent estimates because the sampler is keyed by pixel.
+/// Mean over the pixels of a picture that all have the same expected value, and its standard error from their
+/// spread. Pixels are independent estimates because the sampler is keyed by pixel.
 struct Estimate {
     glm::dvec3 mean{0.0};
     glm::dvec3 standard_error{0.0};
 };
 Estimate estimate_of(const Image& image);
 
-/// Fails where a channel's mean is farther from the expected value than its standard error and float32 explain, or
-/// where the standard error is too large (more than `power` of the expected value) to tell.
+/// Fails where a channel's mean is farther from the expected value than its standard error and float32
+/// explain, or where the standard error is too large (more than `power` of the expected value) to tell.
 void expect_radiance(const Estimate& estimate, const glm::dvec3& expected, double power = kPower);
 void expect_radiance(const Estimate& estimate, double expected, double power = kPower);
 

@@ -7,7 +7,9 @@
 
 namespace utsuri::test {
 
-Mesh ground(float half) { return quad({-half, 0, half}, {2 * half, 0, 0}, {0, 0, -2 * half}); }
+Mesh ground(float half) {
+    return quad({-half, 0, half}, {2 * half, 0, 0}, {0, 0, -2 * half});
+}
 
 Mesh triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     Mesh mesh;
@@ -19,8 +21,10 @@ Mesh triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
 }
 
 Mesh flipped(Mesh mesh) {
-    for (glm::vec3& normal : mesh.normals) normal = -normal;
-    for (glm::uvec3& corners : mesh.triangles) std::swap(corners.y, corners.z);
+    for (glm::vec3& normal : mesh.normals)
+        normal = -normal;
+    for (glm::uvec3& corners : mesh.triangles)
+        std::swap(corners.y, corners.z);
     return mesh;
 }
 
@@ -38,13 +42,16 @@ Mesh faceted(const Mesh& mesh) {
     return result;
 }
 
-Mesh block(glm::vec3 lower, glm::vec3 upper) { return flipped(room(lower, upper)); }
+Mesh block(glm::vec3 lower, glm::vec3 upper) {
+    return flipped(room(lower, upper));
+}
 
 Mesh ceiling(glm::vec3 centre, float half) {
     return quad(centre - glm::vec3(half, 0, half), {2 * half, 0, 0}, {0, 0, 2 * half});
 }
 
-double polygon_irradiance(std::span<const glm::dvec3> corners, const glm::dvec3& point, const glm::dvec3& normal) {
+double polygon_irradiance(std::span<const glm::dvec3> corners, const glm::dvec3& point,
+                          const glm::dvec3& normal) {
     double sum = 0.0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const glm::dvec3 a = corners[i] - point;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
-
 #include "support/scenes.h"
+
+#include <span>
 
 namespace utsuri::test {
 
@@ -20,9 +20,11 @@ Mesh block(glm::vec3 lower, glm::vec3 upper);
 /// A square parallel to y = 0, facing down, of edge 2 * half.
 Mesh ceiling(glm::vec3 centre, float half);
 
-/// Irradiance at a point, over radiance, from a uniform polygon wholly above the point's horizon (Lambert 1760): half
-/// the sum over the edges of the angle they subtend times the cosine between the normal and that of their plane.
+/// Irradiance at a point, over radiance, from a uniform polygon wholly above the point's horizon (Lambert
+/// 1760): half the sum over the edges of the angle they subtend times the cosine between the normal and that
+/// of their plane.
 /// @param corners clockwise as seen from the point
-double polygon_irradiance(std::span<const glm::dvec3> corners, const glm::dvec3& point, const glm::dvec3& normal);
+double polygon_irradiance(std::span<const glm::dvec3> corners, const glm::dvec3& point,
+                          const glm::dvec3& normal);
 
 }  // namespace utsuri::test

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/common/film_kernel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 
+#include "base/error.h"
 #include "interop/bindings.h"
 
 namespace utsuri {
@@ -11,6 +14,17 @@ namespace {
 
 /// Every Vulkan device takes this many workgroups in a dispatch.
 constexpr std::uint32_t kMaxGroups = 65535;
+
+/// Ray queries that one invocation may make in a dispatch. Mesa's software driver ends all loops of an invocation after
+/// 65535 iterations together; a query takes some tens, 128 at most in scenes of a million triangles.
+constexpr std::uint32_t kQueriesPerInvocation = 512;
+
+/// Samples that keep within kQueriesPerInvocation: at each surface of a specular chain there is a ray to find it, a
+/// shadow ray and a ray of the glossy lobe.
+std::uint32_t most_samples_per_dispatch(std::uint32_t specular_depth) {
+    const std::uint64_t queries = 3 * (std::uint64_t{specular_depth} + 1);
+    return static_cast<std::uint32_t>(std::max<std::uint64_t>(1, kQueriesPerInvocation / queries));
+}
 
 }  // namespace
 
@@ -61,7 +75,8 @@ FrameCounts FilmKernel::add_samples(Film& film, const FrameSettings& settings, s
     std::uint32_t done = 0;
     while (done < count && !progress.cancelled()) {
         // Small pictures take several samples in a dispatch; in large ones a dispatch is a part of one sample.
-        const std::uint64_t fitting = std::max<std::uint64_t>(1, budget_.next_units() / tiles);
+        const std::uint64_t fitting = std::clamp<std::uint64_t>(budget_.next_units() / tiles, 1,
+                                                                most_samples_per_dispatch(settings.specular_depth));
         const auto now = static_cast<std::uint32_t>(std::min<std::uint64_t>(count - done, fitting));
         push.sample_begin = film.samples();
         push.sample_end = film.samples() + now;
@@ -90,6 +105,11 @@ void FilmKernel::add_band(const Film& film, const Film::Band& band, const Bindin
         });
         budget_.record(std::uint64_t{now} * samples, seconds);
         const auto totals = counters_.download_records<interop::Counters>(1).front();
+        if (totals.incomplete > 0) {
+            throw DeviceError("render", device_->summary().name,
+                              fmt::format("the driver ended the loops of {} pixels early; use a smaller --depth",
+                                          totals.incomplete));
+        }
         counts.rays += totals.rays;
         counts.nonfinite += totals.nonfinite;
         counts.lookups += totals.lookups;

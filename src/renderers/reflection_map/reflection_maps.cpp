@@ -16,7 +16,7 @@ namespace utsuri {
 namespace {
 
 std::uint64_t texels_per_map(std::uint32_t size) {
-    const std::uint64_t stride = std::uint64_t{size} + 2 * interop::MAP_BORDER;
+    const std::uint64_t stride = std::uint64_t{size} + std::uint64_t{2} * interop::MAP_BORDER;
     return stride * stride;
 }
 

@@ -175,7 +175,7 @@ TEST_P(BvhOf, HasBoxesThatContainTheirContentAndExceedItByACell) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Inputs, BvhOf, testing::ValuesIn(inputs()),
-                         [](const testing::TestParamInfo<Input>& info) { return info.param.name; });
+                         [](const testing::TestParamInfo<Input>& input) { return input.param.name; });
 
 bool same_bytes(const auto& a, const auto& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);

@@ -88,7 +88,7 @@ TEST(ReferenceIntersection, FindsWhatExhaustionFinds) {
         ASSERT_EQ(found->triangle, expected->triangle) << i;
         ASSERT_EQ(found->t, expected->t) << i;
     }
-    EXPECT_GT(hits, 500);
+    EXPECT_GT(hits, 200) << "too few to tell";
 }
 
 TEST(ReferenceIntersection, PassesThroughWhatIsNotAccepted) {

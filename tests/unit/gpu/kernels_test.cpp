@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/product_kernels.h"
+#include "support/spirv_module.h"
 
 #include "gpu/spirv.h"
 
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <string>
@@ -41,16 +43,27 @@ std::set<std::uint32_t> declared(const std::string& header, const std::string& p
     return values;
 }
 
-/// What OpExecutionMode LocalSize says.
+/// What the execution mode LocalSize says, or LocalSizeId by way of constants.
 std::uint32_t invocations_per_group(std::span<const std::uint32_t> spirv) {
     constexpr std::uint32_t kOpExecutionMode = 16;
+    constexpr std::uint32_t kOpConstant = 43;
+    constexpr std::uint32_t kOpExecutionModeId = 331;
     constexpr std::uint32_t kLocalSize = 17;
-    for (std::size_t at = 5; at < spirv.size(); at += spirv[at] >> 16) {
-        if ((spirv[at] & 0xffffu) == kOpExecutionMode && spirv[at + 2] == kLocalSize) {
-            return spirv[at + 3] * spirv[at + 4] * spirv[at + 5];
+    constexpr std::uint32_t kLocalSizeId = 38;
+    std::map<std::uint32_t, std::uint32_t> constants;
+    std::vector<std::uint32_t> size;
+    std::vector<std::uint32_t> size_ids;
+    const test::SpirvModule module(spirv);
+    for (const test::SpirvInstruction& instruction : module.instructions()) {
+        const std::vector<std::uint32_t>& words = instruction.words;
+        if (instruction.operation == kOpConstant) constants[words[1]] = words[2];
+        if (instruction.operation == kOpExecutionMode && words[1] == kLocalSize) size = {words.begin() + 2, words.end()};
+        if (instruction.operation == kOpExecutionModeId && words[1] == kLocalSizeId) {
+            size_ids = {words.begin() + 2, words.end()};
         }
     }
-    return 0;
+    for (const std::uint32_t id : size_ids) size.push_back(constants.at(id));
+    return size.size() == 3 ? size[0] * size[1] * size[2] : 0;
 }
 
 TEST(Kernels, AreAllKnownToTheTests) {

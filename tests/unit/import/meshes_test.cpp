@@ -130,7 +130,7 @@ TEST(Normals, FlatWhereMissing) {
         EXPECT_LT(glm::distance(mesh.normals.at(3 + i), glm::vec3(third)), kFloatTolerance);
     }
     EXPECT_THAT(result.added,
-                ::testing::Contains("meshes[0].primitives[0]: no NORMAL attribute, flat normals made"));
+                ::testing::Contains("no NORMAL attribute, flat normals made: meshes[0].primitives[0]"));
 }
 
 TEST(Normals, BrokenOnesAreRepairedFromTheTriangles) {

@@ -85,8 +85,7 @@ TEST(Transforms, GeometryBeyondFloat32IsAnError) {
 
 TEST(SingularTransforms, FlattenedToAPlaneWithItsNormal) {
     GltfWriter writer;
-    // A tetrahedron whose four faces all keep area when y is dropped... all but none: normals become +Y or
-    // -Y.
+    // The apex of the tetrahedron is above its base, so all four faces keep area when y is dropped.
     writer.add_mesh({0, 0, 0, 1, 0, 0, 0, 0, 1, 0.25f, 1, 0.25f});
     writer.primitive()["indices"] =
         writer.add_accessor<std::uint8_t>({0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2}, "SCALAR");
@@ -104,7 +103,7 @@ TEST(SingularTransforms, FlattenedToAPlaneWithItsNormal) {
     }
     EXPECT_EQ(mesh.positions.at(1), glm::vec3(2, 0, 0));
     EXPECT_EQ(placed(result, {0, 0, 0}).y, 5.0);
-    EXPECT_THAT(result.added, ::testing::Contains(HasSubstr("nodes[0]: the transform flattens")));
+    EXPECT_THAT(result.added, ::testing::Contains("flattened by the transform, flat normals made: nodes[0]"));
 }
 
 TEST(SingularTransforms, EdgeOnTrianglesAreDropped) {
@@ -129,6 +128,22 @@ TEST(SingularTransforms, RotatedProductIsRecognized) {
     for (const glm::vec3 normal : mesh.normals) {
         EXPECT_NEAR(std::abs(glm::dot(normal, mesh.normals[0])), 1.0f, kFloatTolerance);
     }
+}
+
+TEST(SingularTransforms, RoundingDoesNotKeepEdgeOnTriangles) {
+    GltfWriter writer;
+    // The first triangle lies flat; the second stands on the plane into which the scale flattens.
+    writer.add_mesh({0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2, 1, 0});
+    const double half = std::sqrt(0.5);
+    writer.json["nodes"][0]["rotation"] = {half, 0, 0,
+                                           half};  // 90 degrees about +X: y becomes z up to rounding
+    writer.add("nodes", {{"children", {0}}, {"scale", {1, 1, 0}}});
+    writer.add("nodes", {{"children", {1}}, {"rotation", {0.5, -0.3, 0.2, 0.7}}});
+    const ImportResult result = writer.import();
+    ASSERT_EQ(result.scene.instances.size(), 1u);
+    const Mesh& mesh = result.scene.meshes.at(result.scene.instances[0].mesh);
+    EXPECT_EQ(mesh.triangles.size(), 1u);
+    EXPECT_THAT(result.dropped, ::testing::Contains(HasSubstr("1 triangle left without area")));
 }
 
 TEST(SingularTransforms, UniformlyTinyScaleIsNotSingular) {

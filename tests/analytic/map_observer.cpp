@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "map_observer.h"
+
+#include <gtest/gtest.h>
+
+namespace utsuri::test {
+
+MapObserver::MapObserver(Device& device, const Scene& scene, MapKind kind, const MapSettings& settings)
+    : device_(device),
+      data_(prepare_scene_data(scene)),
+      gpu_scene_(device, data_),
+      kind_(kind),
+      settings_(settings) {}
+
+Image MapObserver::picture(const Camera& camera, const RenderSettings& settings, std::uint32_t samples) {
+    MapRenderer renderer(device_, data_, gpu_scene_, camera, kind_, settings, settings_);
+    Film film(device_, settings.width, settings.height, "observed film");
+    Progress progress;
+    renderer.prepare(progress);
+    renderer.add_samples(film, samples, progress);
+    statistics_ = renderer.statistics();
+    EXPECT_EQ(statistics_.counts.nonfinite, 0u);
+    EXPECT_EQ(statistics_.prepare_counts.nonfinite, 0u);
+    return film.resolve();
+}
+
+Estimate MapObserver::look(glm::dvec3 eye, glm::dvec3 target, std::uint32_t samples) {
+    RenderSettings settings;
+    settings.width = settings.height = kCloseUpSize;
+    return estimate_of(picture(look_at(eye, target, kCloseUpAngle), settings, samples));
+}
+
+std::vector<Image> MapObserver::maps(const Camera& camera) {
+    RenderSettings settings;
+    settings.width = settings.height = interop::TILE_SIZE;
+    MapRenderer renderer(device_, data_, gpu_scene_, camera, kind_, settings, settings_);
+    Progress progress;
+    renderer.prepare(progress);
+    std::vector<Image> images;
+    for (std::uint32_t face = 0; face < renderer.maps().maps_per_reflector(); ++face) {
+        images.push_back(renderer.maps().map(0, face));
+    }
+    return images;
+}
+
+}  // namespace utsuri::test

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/reflection_map/map_renderer.h"
+#include "support/estimate.h"
+
+namespace utsuri::test {
+
+/// A scene on the device, for looks at it by reflection mapping.
+class MapObserver {
+  public:
+    MapObserver(Device& device, const Scene& scene, MapKind kind, const MapSettings& settings);
+
+    Image picture(const Camera& camera, const RenderSettings& settings, std::uint32_t samples);
+    /// See Observer::look().
+    Estimate look(glm::dvec3 eye, glm::dvec3 target, std::uint32_t samples);
+    /// The maps of the first reflector as captured for an eye: all faces, border included.
+    std::vector<Image> maps(const Camera& camera);
+
+    [[nodiscard]] const RenderStatistics& statistics() const { return statistics_; }
+
+  private:
+    Device& device_;
+    SceneData data_;
+    GpuScene gpu_scene_;
+    MapKind kind_;
+    MapSettings settings_;
+    RenderStatistics statistics_;
+};
+
+/// Texel centre in picture coordinates, [-1, 1]^2 for the texels inside the border.
+inline glm::dvec2 texel_centre(std::uint32_t column, std::uint32_t row, std::uint32_t size) {
+    const double border = interop::MAP_BORDER;
+    return {2.0 * (column + 0.5 - border) / size - 1.0, 1.0 - 2.0 * (row + 0.5 - border) / size};
+}
+
+}  // namespace utsuri::test

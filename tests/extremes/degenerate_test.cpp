@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes and pictures at the edge of what there can be: nothing crashes and nothing is not a number.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/methods.h"
+#include "support/test_device.h"
+
+namespace utsuri::test {
+namespace {
+
+constexpr RenderSettings kSettings{16, 12, 1, 8};
+
+class Degenerate : public DeviceTest {
+  protected:
+    /// Renders by all three methods; pixels must be finite and no sample may be left out.
+    void render_all(const Scene& scene, const Camera& camera, RenderSettings settings = kSettings) {
+        check(trace(device(), scene, camera, settings, 2), "trace");
+        const MapSettings maps{4, 1, {}};
+        check(render_with_maps(device(), scene, camera, settings, MapKind::polygon, maps, 2), "polygon-map");
+        check(render_with_maps(device(), scene, camera, settings, MapKind::sphere, maps, 2), "sphere-map");
+    }
+
+    static void check(const Traced& result, const char* method) {
+        EXPECT_EQ(result.statistics.counts.nonfinite + result.statistics.prepare_counts.nonfinite, 0u) << method;
+        for (const glm::vec3& pixel : result.image.pixels) {
+            ASSERT_TRUE(std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z)) << method;
+        }
+    }
+};
+
+TEST_F(Degenerate, EmptySceneShowsTheSurroundings) {
+    Scene scene;
+    scene.environment = glm::vec3(1, 2, 3);
+    const Camera camera = look_at(glm::dvec3(0), glm::dvec3(0, 0, -1));
+    render_all(scene, camera);
+    EXPECT_THAT(trace(device(), scene, camera, kSettings, 3).image.pixels, testing::Each(glm::vec3(1, 2, 3)));
+}
+
+TEST_F(Degenerate, SceneWithoutLightIsBlack) {
+    Scene scene;
+    add(scene, icosphere(glm::vec3(0), 1.0f, 1), mirror());
+    const Camera camera = look_at(glm::dvec3(0, 0, 5), glm::dvec3(0));
+    render_all(scene, camera);
+    EXPECT_THAT(trace(device(), scene, camera, kSettings, 2).image.pixels, testing::Each(glm::vec3(0.0f)));
+}
+
+TEST_F(Degenerate, OneTriangle) {
+    Scene scene;
+    Mesh mesh = quad(glm::vec3(-1, -1, 0), glm::vec3(2, 0, 0), glm::vec3(0, 2, 0));
+    mesh.triangles.resize(1);
+    add(scene, mesh, lambert(glm::vec3(0.5f)));
+    scene.environment = glm::vec3(1.0f);
+    render_all(scene, look_at(glm::dvec3(0, 0, 3), glm::dvec3(0)));
+}
+
+TEST_F(Degenerate, ZeroAreaTrianglesAreNeverHit) {
+    Scene scene;
+    Mesh mesh;
+    mesh.positions = {{-1, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    mesh.normals.assign(4, glm::vec3(0, 0, 1));
+    mesh.triangles = {{0, 1, 2}, {2, 3, 2}, {0, 1, 1}};
+    add(scene, mesh, emitter(glm::vec3(100.0f)));
+    scene.environment = glm::vec3(1.0f);
+    const Camera camera = look_at(glm::dvec3(0, 0, 3), glm::dvec3(0));
+    render_all(scene, camera);
+    EXPECT_THAT(trace(device(), scene, camera, kSettings, 4).image.pixels, testing::Each(glm::vec3(1.0f)));
+}
+
+TEST_F(Degenerate, CoincidentTrianglesHaveAStableWinner) {
+    Scene scene;
+    for (int i = 0; i < 5; ++i) {
+        add(scene, quad(glm::vec3(-3, -3, 0), glm::vec3(6, 0, 0), glm::vec3(0, 6, 0)),
+            emitter(glm::vec3(static_cast<float>(i + 1))));
+    }
+    const Camera camera = look_at(glm::dvec3(0, 0, 3), glm::dvec3(0));
+    const Image first = trace(device(), scene, camera, kSettings, 1).image;
+    EXPECT_TRUE(trace(device(), scene, camera, kSettings, 1).image.pixels == first.pixels);
+    render_all(scene, camera);
+}
+
+TEST_F(Degenerate, PicturesOfOnePixelEdges) {
+    for (const glm::uvec2 size : {glm::uvec2(1, 1), glm::uvec2(1, 67), glm::uvec2(67, 1), glm::uvec2(9, 7)}) {
+        render_all(everything_scene(), everything_camera(), {size.x, size.y, 0, 2});
+    }
+}
+
+TEST_F(Degenerate, EyeOnASurfaceInAVertexAndInsideTheBall) {
+    const Scene scene = everything_scene();
+    render_all(scene, look_at(glm::dvec3(0, 0, 0), glm::dvec3(0, 1, -1)));             // on the floor
+    render_all(scene, look_at(glm::dvec3(-2, 0, -2.5), glm::dvec3(0, 1, 0)));          // in a corner of the room
+    render_all(scene, look_at(glm::dvec3(-0.6, 0.5, -0.5), glm::dvec3(1, 0.5, 0.1)));  // at the mirror ball's centre
+    render_all(scene, look_at(glm::dvec3(0, 1, -2.45), glm::dvec3(0.5, 1, -2.45)));    // in the plane of the mirror
+}
+
+TEST_F(Degenerate, VertexNormalsThatCancelOrPointInside) {
+    Scene scene = everything_scene();
+    for (const std::size_t ball : {std::size_t{2}, std::size_t{3}}) {
+        std::vector<glm::vec3>& normals = scene.meshes[ball].normals;
+        for (std::size_t i = 0; i < normals.size(); ++i) normals[i] *= i % 2 == 0 ? 1.0f : -1.0f;
+    }
+    render_all(scene, everything_camera());
+}
+
+TEST_F(Degenerate, LightInASurfaceAndAtTheEye) {
+    Scene scene = everything_scene();
+    scene.lights[0].position = glm::dvec3(0.0, 0.0, 0.0);
+    scene.lights[1].position = everything_camera().position;
+    render_all(scene, everything_camera());
+}
+
+TEST_F(Degenerate, HugeGroundAndTinyObject) {
+    Scene scene;
+    add(scene, quad(glm::vec3(-1e6f, 0, 1e6f), glm::vec3(2e6f, 0, 0), glm::vec3(0, 0, -2e6f)), lambert(glm::vec3(0.5f)));
+    add(scene, icosphere(glm::vec3(0, 1e-3f, 0), 1e-3f, 2), mirror());
+    scene.environment = glm::vec3(1.0f);
+    render_all(scene, look_at(glm::dvec3(0, 2e-3, 1e-2), glm::dvec3(0, 1e-3, 0)));
+}
+
+TEST_F(Degenerate, MapsOfOneTexel) {
+    const MapSettings maps{1, 1, {}};
+    check(render_with_maps(device(), everything_scene(), everything_camera(), kSettings, MapKind::polygon, maps, 1),
+          "polygon-map");
+}
+
+}  // namespace
+}  // namespace utsuri::test

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// Structs of shaders/interop have the same layout in C++ and in the compiled kernels.
+#include "support/product_kernels.h"
+#include "support/spirv_module.h"
+
+#include "interop/bvh.h"
+#include "interop/frame.h"
+#include "interop/rays.h"
+#include "interop/reflection.h"
+#include "interop/scene.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace utsuri {
+namespace {
+
+namespace fs = std::filesystem;
+using test::SpirvModule;
+
+struct HostMember {
+    std::string name;
+    std::size_t offset;
+};
+struct HostStruct {
+    std::size_t size;
+    std::vector<HostMember> members;
+};
+
+#define AT(type, member) HostMember{#member, offsetof(interop::type, member)}
+
+/// Every struct of shaders/interop as the C++ compiler lays it out.
+std::map<std::string, HostStruct> host_structs() {
+    using namespace interop;
+    return {
+        {"BvhNode",
+         {sizeof(BvhNode),
+          {AT(BvhNode, origin_exponents), AT(BvhNode, bases_meta), AT(BvhNode, lower_xy), AT(BvhNode, lower_z_upper_x),
+           AT(BvhNode, upper_yz)}}},
+        {"BvhTriangle", {sizeof(BvhTriangle), {AT(BvhTriangle, v0), AT(BvhTriangle, v1), AT(BvhTriangle, v2)}}},
+        {"CameraInfo",
+         {sizeof(CameraInfo),
+          {AT(CameraInfo, origin), AT(CameraInfo, right), AT(CameraInfo, up), AT(CameraInfo, forward)}}},
+        {"FramePush",
+         {sizeof(FramePush),
+          {AT(FramePush, camera), AT(FramePush, width), AT(FramePush, height), AT(FramePush, first_row),
+           AT(FramePush, rows), AT(FramePush, first_tile), AT(FramePush, sample_begin), AT(FramePush, sample_end),
+           AT(FramePush, seed), AT(FramePush, specular_depth), AT(FramePush, excluded_instance)}}},
+        {"FilmPixel",
+         {sizeof(FilmPixel),
+          {AT(FilmPixel, sum_even), AT(FilmPixel, compensation_even), AT(FilmPixel, sum_odd),
+           AT(FilmPixel, compensation_odd)}}},
+        {"Counters",
+         {sizeof(Counters),
+          {AT(Counters, rays), AT(Counters, nonfinite), AT(Counters, lookups), AT(Counters, traced),
+           AT(Counters, truncated)}}},
+        {"AovPixel",
+         {sizeof(AovPixel),
+          {AT(AovPixel, depth), AT(AovPixel, position), AT(AovPixel, geometric_normal), AT(AovPixel, shading_normal),
+           AT(AovPixel, albedo), AT(AovPixel, texcoord), AT(AovPixel, triangle), AT(AovPixel, instance),
+           AT(AovPixel, material), AT(AovPixel, specular)}}},
+        {"RayInfo",
+         {sizeof(RayInfo),
+          {AT(RayInfo, origin), AT(RayInfo, direction), AT(RayInfo, t_max), AT(RayInfo, excluded)}}},
+        {"HitInfo",
+         {sizeof(HitInfo), {AT(HitInfo, t), AT(HitInfo, triangle), AT(HitInfo, b1), AT(HitInfo, b2)}}},
+        {"TraceRaysPush", {sizeof(TraceRaysPush), {AT(TraceRaysPush, first), AT(TraceRaysPush, count)}}},
+        {"ReflectorInfo",
+         {sizeof(ReflectorInfo), {AT(ReflectorInfo, capture_point), AT(ReflectorInfo, first_texel)}}},
+        {"ReflectorVertex",
+         {sizeof(ReflectorVertex), {AT(ReflectorVertex, position), AT(ReflectorVertex, normal)}}},
+        {"VertexReflection",
+         {sizeof(VertexReflection),
+          {AT(VertexReflection, direction), AT(VertexReflection, face), AT(VertexReflection, sphere_map)}}},
+        {"ReflectVerticesPush",
+         {sizeof(ReflectVerticesPush),
+          {AT(ReflectVerticesPush, eye), AT(ReflectVerticesPush, right), AT(ReflectVerticesPush, up),
+           AT(ReflectVerticesPush, forward), AT(ReflectVerticesPush, count)}}},
+        {"ResolveMapPush",
+         {sizeof(ResolveMapPush),
+          {AT(ResolveMapPush, texels), AT(ResolveMapPush, first_texel), AT(ResolveMapPush, samples)}}},
+        {"TriangleInfo",
+         {sizeof(TriangleInfo),
+          {AT(TriangleInfo, vertices), AT(TriangleInfo, material), AT(TriangleInfo, instance),
+           AT(TriangleInfo, light)}}},
+        {"TextureSlotInfo",
+         {sizeof(TextureSlotInfo), {AT(TextureSlotInfo, texture), AT(TextureSlotInfo, sampling)}}},
+        {"MaterialInfo",
+         {sizeof(MaterialInfo),
+          {AT(MaterialInfo, base_colour), AT(MaterialInfo, metallic), AT(MaterialInfo, emissive),
+           AT(MaterialInfo, roughness), AT(MaterialInfo, dielectric_f0), AT(MaterialInfo, dielectric_f90),
+           AT(MaterialInfo, double_sided), AT(MaterialInfo, base_colour_texture),
+           AT(MaterialInfo, metallic_roughness_texture), AT(MaterialInfo, emissive_texture)}}},
+        {"TextureHeader",
+         {sizeof(TextureHeader),
+          {AT(TextureHeader, first_texel), AT(TextureHeader, width), AT(TextureHeader, height)}}},
+        {"LightInfo",
+         {sizeof(LightInfo),
+          {AT(LightInfo, type), AT(LightInfo, triangle), AT(LightInfo, probability), AT(LightInfo, position),
+           AT(LightInfo, direction), AT(LightInfo, intensity), AT(LightInfo, range), AT(LightInfo, spot_scale),
+           AT(LightInfo, spot_offset)}}},
+        {"LightTableEntry",
+         {sizeof(LightTableEntry), {AT(LightTableEntry, threshold), AT(LightTableEntry, alias)}}},
+    };
+}
+
+#undef AT
+
+/// What differs between the two layouts; empty if nothing.
+std::string layout_problem(const SpirvModule::Struct& device, const HostStruct& host) {
+    if (device.members.size() != host.members.size()) {
+        return fmt::format("{} members, not {}", device.members.size(), host.members.size());
+    }
+    for (std::size_t i = 0; i < host.members.size(); ++i) {
+        const SpirvModule::Member& member = device.members[i];
+        if (member.name != host.members[i].name || member.offset != host.members[i].offset) {
+            return fmt::format("{} at {}, not {} at {}", member.name, member.offset, host.members[i].name,
+                               host.members[i].offset);
+        }
+    }
+    if (device.end() != host.size) return fmt::format("{} bytes, not {}", device.end(), host.size);
+    for (const std::uint32_t stride : device.array_strides) {
+        if (stride != host.size) return fmt::format("arrays of stride {}, not {}", stride, host.size);
+    }
+    return {};
+}
+
+TEST(Interop, StructsHaveTheSameLayoutInEveryKernel) {
+    const auto hosts = host_structs();
+    std::set<std::string> met;
+    for (const test::ProductKernel& kernel : test::product_kernels()) {
+        const SpirvModule module(kernel.spirv);
+        for (const SpirvModule::Struct& device : module.laid_out_structs()) {
+            const auto host = hosts.find(device.name);
+            if (host == hosts.end()) continue;   // the blocks around them
+            EXPECT_EQ(layout_problem(device, host->second), "") << kernel.name << ": " << device.name;
+            met.insert(device.name);
+        }
+    }
+    for (const auto& [name, host] : hosts) EXPECT_TRUE(met.contains(name)) << name << " is in no kernel";
+}
+
+TEST(Interop, StructsAreAllKnownToTheTest) {
+    const auto hosts = host_structs();
+    const std::regex definition("^struct ([A-Za-z0-9]+) \\{");
+    std::set<std::string> defined;
+    for (const auto& entry : fs::directory_iterator(fs::path(UTSURI_SOURCE_DIR) / "shaders" / "interop")) {
+        std::ifstream stream(entry.path());
+        for (std::string line; std::getline(stream, line);) {
+            std::smatch match;
+            if (std::regex_search(line, match, definition)) defined.insert(match[1]);
+        }
+    }
+    EXPECT_GT(defined.size(), 0u);
+    for (const std::string& name : defined) EXPECT_TRUE(hosts.contains(name)) << name;
+    EXPECT_EQ(defined.size(), hosts.size());
+}
+
+TEST(Interop, ComparisonFindsAShiftedMemberAndAWrongStride) {
+    const SpirvModule::Struct right{"HitInfo", {{"t", 0, 4}, {"triangle", 4, 4}, {"b1", 8, 4}, {"b2", 12, 4}}, {16}};
+    EXPECT_EQ(layout_problem(right, host_structs().at("HitInfo")), "");
+    SpirvModule::Struct shifted = right;
+    shifted.members[2].offset = 16;
+    EXPECT_NE(layout_problem(shifted, host_structs().at("HitInfo")), "");
+    SpirvModule::Struct padded = right;
+    padded.array_strides = {32};
+    EXPECT_NE(layout_problem(padded, host_structs().at("HitInfo")), "");
+}
+
+}  // namespace
+}  // namespace utsuri

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/kernel.h"
+
+#include "gpu/probe.h"
+#include "support/test_device.h"
+
+#include "base/check.h"
+
+#include "kernels/film_probe.h"
+
+#include <gmock/gmock.h>
+
+namespace utsuri {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+using KernelOnDevice = DeviceTest;
+
+TEST_F(KernelOnDevice, NamesTheBindingThatIsMissing) {
+    const Kernel kernel(device(), "film_probe", kernels::film_probe, {}, sizeof(interop::ProbePush));
+    const Buffer buffer(device(), 64, "queries");
+    try {
+        static_cast<void>(kernel.bind({{interop::PROBE_QUERIES, &buffer}}));
+        FAIL() << "bound without answers";
+    } catch (const CheckFailure& failure) {
+        EXPECT_THAT(failure.what(), AllOf(HasSubstr("film_probe"), HasSubstr("binding 1")));
+    }
+}
+
+TEST_F(KernelOnDevice, PassesOverBuffersItDoesNotUse) {
+    const Kernel kernel(device(), "film_probe", kernels::film_probe, {{77, 1}}, sizeof(interop::ProbePush));
+    const Buffer buffer(device(), 64, "any");
+    EXPECT_NO_THROW(static_cast<void>(kernel.bind({{0, &buffer}, {1, &buffer}, {20, &buffer}})));
+}
+
+TEST_F(KernelOnDevice, RefusesPushConstantsOfAnotherSize) {
+    const Kernel kernel(device(), "film_probe", kernels::film_probe, {}, sizeof(interop::ProbePush));
+    const Buffer buffer(device(), 64, "any");
+    const BindingSet set = kernel.bind({{0, &buffer}, {1, &buffer}});
+    const std::uint64_t wrong = 0;
+    EXPECT_THROW(device().run("push too much", [&](const vk::raii::CommandBuffer& commands) {
+        kernel.dispatch(commands, set, wrong, 1);
+    }), CheckFailure);
+    // The device is still good for work.
+    EXPECT_NO_THROW(device().run("nothing", [](const vk::raii::CommandBuffer&) {}));
+}
+
+TEST_F(KernelOnDevice, SeesWhatDispatchesBeforeItWrote) {
+    // Each dispatch in turn reads what the one before wrote: query i of the next is answers 2i and 2i + 1.
+    const Kernel kernel(device(), "film_probe", kernels::film_probe, {}, sizeof(interop::ProbePush));
+    const Buffer queries = make_buffer<interop::FilmQuery>(
+        device(), std::vector<interop::FilmQuery>{{0.0f, 1.0f, 0.0f, 0}, {0.0f, 5.0f, 2.0f, 0}}, "queries");
+    const Buffer between(device(), 64, "between");
+    const Buffer answers(device(), 64, "answers");
+    const BindingSet first = kernel.bind({{0, &queries}, {1, &between}});
+    const BindingSet second = kernel.bind({{0, &between}, {1, &answers}});
+    device().run("two dispatches", [&](const vk::raii::CommandBuffer& commands) {
+        kernel.dispatch(commands, first, interop::ProbePush{2}, 1);
+        kernel.dispatch(commands, second, interop::ProbePush{1}, 1);
+    });
+    // The answers {1, 0} and {7, 0} read as a query are a = 1, b = 0, c = 7, repeats = 0: their sum is b + c.
+    EXPECT_EQ(answers.download_records<interop::FilmAnswer>(1).front().sum, 7.0f);
+}
+
+TEST_F(KernelOnDevice, TakesTimeOnTheDevice) {
+    const Kernel kernel(device(), "film_probe", kernels::film_probe, {}, sizeof(interop::ProbePush));
+    const Buffer queries = make_buffer<interop::FilmQuery>(
+        device(), std::vector<interop::FilmQuery>{{1.0f, 0.0f, 0.0f, 4000000}}, "queries");
+    const Buffer answers(device(), 64, "answers");
+    const BindingSet set = kernel.bind({{0, &queries}, {1, &answers}});
+    const double seconds = device().run("count", [&](const vk::raii::CommandBuffer& commands) {
+        kernel.dispatch(commands, set, interop::ProbePush{1}, 1);
+    });
+    // Four million dependent sums take longer than any clock's tick and less than a minute.
+    EXPECT_GT(seconds, 1e-6);
+    EXPECT_LT(seconds, 60.0);
+}
+
+}  // namespace
+}  // namespace utsuri

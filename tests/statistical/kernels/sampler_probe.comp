@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calls a sampling function for given numbers in [0, 1)^2 and tells what it returns.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "kernels/scene_bindings.glsl"
+#include "lib/bsdf.glsl"
+#include "lib/lights.glsl"
+#include "probe_interop.h"
+
+layout(local_size_x = 64) in;
+layout(constant_id = PROBE_SPEC_SAMPLER) const uint SAMPLER = PROBE_GLOSSY;
+layout(push_constant, scalar) uniform Push { ProbePush push; };
+layout(scalar, binding = PROBE_BINDING_INPUTS) readonly restrict buffer Inputs { vec2 inputs[]; };
+layout(scalar, binding = PROBE_BINDING_OUTPUTS) writeonly restrict buffer Outputs { ProbeOutput outputs[]; };
+
+Surface probed_surface() {
+    Surface surface;
+    surface.position = push.position;
+    surface.error_bound = vec3(0.0);
+    surface.ng = push.normal;
+    surface.ns = push.normal;
+    surface.texcoord = vec2(0.0);
+    surface.triangle = NONE;
+    surface.material = 0u;
+    surface.instance = 0u;
+    surface.base_colour = vec3(1.0);
+    surface.metallic = 1.0;
+    surface.alpha = push.alpha;
+    surface.f0 = 0.0;
+    surface.f90 = 0.0;
+    surface.emission = vec3(0.0);
+    return surface;
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= push.count) return;
+    vec2 u = inputs[index];
+    ProbeOutput result = ProbeOutput(vec3(0.0), 0.0, vec3(0.0), 0u);
+    Surface surface = probed_surface();
+    if (SAMPLER == PROBE_GLOSSY) {
+        result.direction = sample_glossy(surface, push.wo, u);
+        result.pdf = glossy_pdf(surface, push.wo, result.direction);
+    } else if (SAMPLER == PROBE_LIGHT) {
+        LightSample light_sample = sample_light(0u, surface, u);
+        result.direction = light_sample.direction;
+        result.pdf = light_sample.pdf;
+        result.target = light_sample.target;
+    } else {
+        result.light = choose_light(u.x);
+    }
+    outputs[index] = result;
+}

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each sampling function against its density: chi-square tests of where samples fall, and the density it
+// tells against the formula in float64.
+#include "support/light_scenes.h"
+#include "support/test_device.h"
+
+#include "chi_square.h"
+#include "probe.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace utsuri::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr std::size_t kSamples = 100000;
+/// Relative error of a density computed in float32 from directions that are not near-singular: class D and a
+/// few of the polynomial sine's 2e-7.
+constexpr double kPdfError = 1e-5;
+
+class Sampling : public DeviceTest {};
+
+/// An orthonormal basis about n with x towards the projection of `towards`.
+struct Basis {
+    glm::dvec3 x, y, z;
+    Basis(const glm::dvec3& n, const glm::dvec3& towards) : z(n) {
+        const glm::dvec3 flat = towards - glm::dot(towards, n) * n;
+        const glm::dvec3 any = std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+        x = glm::length(flat) > 1e-6 ? glm::normalize(flat) : glm::normalize(glm::cross(any, n));
+        y = glm::cross(z, x);
+    }
+    [[nodiscard]] glm::dvec3 local(const glm::dvec3& v) const {
+        return {glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)};
+    }
+};
+
+std::size_t bin_of(double fraction, std::size_t bins) {
+    return std::min(static_cast<std::size_t>(std::max(fraction, 0.0) * static_cast<double>(bins)), bins - 1);
+}
+
+double turn_of(double y, double x) {
+    const double turn = std::atan2(y, x) / (2.0 * kPi);
+    return turn < 0.0 ? turn + 1.0 : turn;
+}
+
+constexpr std::size_t kRings = 8;
+constexpr std::size_t kSectors = 16;
+
+double smith_g1(double cosine, double alpha) {
+    return 2.0 * cosine / (cosine + std::sqrt(cosine * cosine + alpha * alpha * (1.0 - cosine * cosine)));
+}
+
+/// Mass of the visible normals of GGX in rings of equal q = tan^2 / (tan^2 + alpha^2) and sectors of azimuth,
+/// wo at azimuth 0. There D(h) cos(h) dw is dq dphi / 2 pi, so the density is G1 (wo.h)+ / (cos_o cos_h).
+/// Midpoint rule in s = sqrt(1 - q), in which the tangent's pole at q = 1 cancels.
+std::vector<double> visible_normal_mass(double cos_o, double alpha) {
+    constexpr int kSteps = 48;
+    const double sin_o = std::sqrt(1.0 - cos_o * cos_o);
+    std::vector<double> mass(kRings * kSectors, 0.0);
+    for (std::size_t ring = 0; ring < kRings; ++ring) {
+        const double outer = std::sqrt(1.0 - static_cast<double>(ring + 1) / kRings);
+        const double inner = std::sqrt(1.0 - static_cast<double>(ring) / kRings);
+        const double ds = (inner - outer) / kSteps;
+        for (std::size_t sector = 0; sector < kSectors; ++sector) {
+            for (int i = 0; i < kSteps * kSteps; ++i) {
+                const double s = outer + (i / kSteps + 0.5) * ds;
+                const double phi =
+                    2.0 * kPi * (static_cast<double>(sector) + (i % kSteps + 0.5) / kSteps) / kSectors;
+                const double tangent = alpha * std::sqrt(1.0 - s * s) / s;
+                const double visible = std::max(cos_o + sin_o * tangent * std::cos(phi), 0.0) / cos_o;
+                mass[ring * kSectors + sector] += visible * 2.0 * s * ds / (kSteps * kSectors);
+            }
+        }
+    }
+    for (double& cell : mass)
+        cell *= smith_g1(cos_o, alpha);
+    return mass;
+}
+
+struct GlossyCase {
+    double alpha;
+    double cos_o;
+    glm::dvec3 normal;
+};
+
+void expect_visible_normals(Device& device, const SceneData& data, const GlossyCase& c, std::uint32_t seed) {
+    const Basis basis(c.normal, {0.3, -0.2, 0.9});
+    const glm::dvec3 wo = std::sqrt(1.0 - c.cos_o * c.cos_o) * basis.x + c.cos_o * basis.z;
+    interop::ProbePush push{};
+    push.normal = glm::vec3(c.normal);
+    push.wo = glm::vec3(wo);
+    push.alpha = static_cast<float>(c.alpha);
+    const auto outputs = probe(device, data, interop::PROBE_GLOSSY, push, random_pairs(kSamples, seed));
+    std::vector<double> observed(kRings * kSectors, 0.0);
+    double largest_error = 0.0;
+    for (const interop::ProbeOutput& output : outputs) {
+        const glm::dvec3 h = basis.local(glm::normalize(wo + glm::dvec3(output.direction)));
+        const double tangent2 = (h.x * h.x + h.y * h.y) / (h.z * h.z);
+        const double q = tangent2 / (tangent2 + c.alpha * c.alpha);
+        observed[bin_of(q, kRings) * kSectors + bin_of(turn_of(h.y, h.x), kSectors)] += 1.0;
+        const double d =
+            c.alpha * c.alpha / (kPi * std::pow(c.alpha * c.alpha * h.z * h.z + h.x * h.x + h.y * h.y, 2.0));
+        const double pdf = smith_g1(c.cos_o, c.alpha) * d / (4.0 * c.cos_o);
+        largest_error = std::max(largest_error, std::abs(static_cast<double>(output.pdf) / pdf - 1.0));
+    }
+    std::vector<double> expected = visible_normal_mass(c.cos_o, c.alpha);
+    double sum = 0.0;
+    for (double& cell : expected) {
+        sum += cell;
+        cell *= static_cast<double>(kSamples);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-3) << "the density's own integral";
+    EXPECT_GE(chi_square_p_value(observed, expected), kRejection);
+    // D changes by at most 2 / alpha a radian, and directions of float32 are uncertain by some units of
+    // 2^-24.
+    EXPECT_LE(largest_error, kPdfError + 16.0 * 0x1p-24 * 2.0 / c.alpha);
+}
+
+TEST_F(Sampling, GlossyDirectionsFollowTheVisibleNormals) {
+    Scene scene;
+    add(scene, ground(1.0f), rough_metal(0.5f));
+    const SceneData data = prepare_scene_data(scene);
+    const glm::dvec3 tilted = glm::normalize(glm::dvec3(0.4, -0.7, -0.3));
+    std::uint32_t seed = 1;
+    for (const double alpha : {0.01, 0.1, 0.5, 1.0}) {
+        for (const double cos_o : {1.0, 0.6, 0.1}) {
+            SCOPED_TRACE(testing::Message() << "alpha " << alpha << ", cosine " << cos_o);
+            expect_visible_normals(device(), data,
+                                   {alpha, cos_o, seed % 2 == 0 ? tilted : glm::dvec3(0, 0, 1)}, seed);
+            ++seed;
+        }
+    }
+}
+
+TEST_F(Sampling, EnvironmentDirectionsFollowTheCosine) {
+    Scene scene;
+    scene.environment = glm::vec3(1.0f);
+    add(scene, ground(1.0f), lambert(glm::vec3(0.5f)));
+    const SceneData data = prepare_scene_data(scene);
+    std::uint32_t seed = 100;
+    for (const glm::dvec3 normal :
+         {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::normalize(glm::dvec3(1, 2, -0.5))}) {
+        const Basis basis(normal, {0.2, 0.5, 0.7});
+        interop::ProbePush push{};
+        push.normal = glm::vec3(normal);
+        push.wo = push.normal;
+        const auto outputs =
+            probe(device(), data, interop::PROBE_LIGHT, push, random_pairs(kSamples, seed++));
+        std::vector<double> observed(kRings * kSectors, 0.0);
+        const std::vector<double> expected(kRings * kSectors,
+                                           static_cast<double>(kSamples) / (kRings * kSectors));
+        for (const interop::ProbeOutput& output : outputs) {
+            const glm::dvec3 w = basis.local(glm::dvec3(output.direction));
+            observed[bin_of(1.0 - w.z * w.z, kRings) * kSectors + bin_of(turn_of(w.y, w.x), kSectors)] += 1.0;
+            // Near the horizon the cosine, of some 2^-23 absolute error, has few digits.
+            ASSERT_NEAR(static_cast<double>(output.pdf), w.z / kPi, kPdfError * w.z / kPi + 0x1p-22);
+        }
+        EXPECT_GE(chi_square_p_value(observed, expected), kRejection);
+    }
+}
+
+/// Cell of a point of a triangle among 64 congruent ones, by its barycentric coordinates.
+std::size_t triangle_cell(double b1, double b2) {
+    constexpr std::size_t kEdge = 8;
+    const std::size_t i = bin_of(b1, kEdge);
+    const std::size_t j = bin_of(b2, kEdge);
+    const double within = b1 * kEdge - static_cast<double>(i) + b2 * kEdge - static_cast<double>(j);
+    // Upright cells of a row come before the upside-down ones; row i has 8 - i and 7 - i of them.
+    return i * (2 * kEdge - i) + 2 * std::min(j, kEdge - 1 - i) + (within > 1.0 && i + j + 1 < kEdge ? 1 : 0);
+}
+
+TEST_F(Sampling, PointsOnATriangleAreUniform) {
+    const glm::dvec3 a(1, 0.5, 2), b(-2, 0.2, 2.5), c(0, 3, 1);
+    Scene scene;
+    add(scene, triangle(glm::vec3(a), glm::vec3(b), glm::vec3(c)), emitter(glm::vec3(1.0f)));
+    scene.materials.back().double_sided = true;
+    const SceneData data = prepare_scene_data(scene);
+    const glm::dvec3 position(0.1, 0.2, -1);
+    interop::ProbePush push{};
+    push.position = glm::vec3(position - data.origin);
+    push.normal = {0, 0, 1};
+    push.wo = push.normal;
+    const auto outputs = probe(device(), data, interop::PROBE_LIGHT, push, random_pairs(kSamples, 200));
+    const glm::dvec3 area = 0.5 * glm::cross(b - a, c - a);
+    std::vector<double> observed(64, 0.0);
+    const std::vector<double> expected(64, static_cast<double>(kSamples) / 64.0);
+    double inverse_sum = 0.0;
+    for (const interop::ProbeOutput& output : outputs) {
+        const glm::dvec3 point = glm::dvec3(output.target) + data.origin;
+        const double whole = glm::dot(area, area);
+        const double b1 = 0.5 * glm::dot(glm::cross(point - a, c - a), area) / whole;
+        const double b2 = 0.5 * glm::dot(glm::cross(b - a, point - a), area) / whole;
+        observed[triangle_cell(b1, b2)] += 1.0;
+        const glm::dvec3 w = point - position;
+        const double pdf = std::pow(glm::length(w), 3.0) / std::abs(glm::dot(area, w));
+        ASSERT_NEAR(static_cast<double>(output.pdf), pdf, kPdfError * pdf);
+        ASSERT_LE(glm::length(glm::dvec3(output.direction) - glm::normalize(w)), 1e-5);
+        inverse_sum += 1.0 / pdf;
+    }
+    EXPECT_GE(chi_square_p_value(observed, expected), kRejection);
+    // The mean of 1 / pdf is the solid angle (Van Oosterom and Strackee 1983); its spread is below its mean.
+    const glm::dvec3 p = glm::normalize(a - position), q = glm::normalize(b - position),
+                     r = glm::normalize(c - position);
+    const double solid_angle = 2.0 * std::atan2(std::abs(glm::dot(p, glm::cross(q, r))),
+                                                1.0 + glm::dot(p, q) + glm::dot(q, r) + glm::dot(r, p));
+    EXPECT_NEAR(inverse_sum / kSamples, solid_angle,
+                4.5 * solid_angle / std::sqrt(static_cast<double>(kSamples)));
+}
+
+}  // namespace
+}  // namespace utsuri::test
