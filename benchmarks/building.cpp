@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles per second of the BVH build, on random triangles and on a closed surface.
+#include "geometry/bvh.h"
+
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <random>
-
-#include "geometry/bvh.h"
 
 namespace {
 
@@ -22,7 +22,8 @@ Geometry random_soup(std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const glm::vec3 corner(place(generator), place(generator), place(generator));
         for (int k = 0; k < 3; ++k) {
-            geometry.positions.push_back(corner + glm::vec3(edge(generator), edge(generator), edge(generator)));
+            geometry.positions.push_back(corner +
+                                         glm::vec3(edge(generator), edge(generator), edge(generator)));
         }
         geometry.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
     }
@@ -50,12 +51,17 @@ Geometry surface(std::uint32_t count) {
 }
 
 void build(benchmark::State& state, const Geometry& geometry) {
-    for (auto _ : state) benchmark::DoNotOptimize(utsuri::build_bvh(geometry.positions, geometry.triangles));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(utsuri::build_bvh(geometry.positions, geometry.triangles));
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(geometry.triangles.size()));
 }
 
-void build_soup(benchmark::State& state) { build(state, random_soup(static_cast<std::uint32_t>(state.range(0)))); }
-void build_surface(benchmark::State& state) { build(state, surface(static_cast<std::uint32_t>(state.range(0)))); }
+void build_soup(benchmark::State& state) {
+    build(state, random_soup(static_cast<std::uint32_t>(state.range(0))));
+}
+void build_surface(benchmark::State& state) {
+    build(state, surface(static_cast<std::uint32_t>(state.range(0))));
+}
 
 BENCHMARK(build_soup)->Range(1 << 10, 1 << 20)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(build_surface)->Range(1 << 10, 1 << 20)->UseRealTime()->Unit(benchmark::kMillisecond);

@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays per second of the traversal kernel beside Embree, on the same rays and cores in the same run.
 // Usage: bench_tracing [--json FILE] [--device NAME] [--size WxH] [--rounds N] SCENE ...
+#include "import/gltf.h"
+#include "renderers/ray_trace/ray_list.h"
+#include "support/embree_oracle.h"
+
+#include "ray_sets.h"
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <thread>
-
-#include "import/gltf.h"
-#include "renderers/ray_trace/ray_list.h"
-#include "support/embree_oracle.h"
-
-#include "ray_sets.h"
 
 namespace utsuri {
 namespace {
@@ -27,7 +25,8 @@ using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
 double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                     values.end());
     return values[values.size() / 2];
 }
 
@@ -47,7 +46,7 @@ struct Contest {
 /// Alternates the two, so that a machine whose speed drifts treats both alike; medians of the rounds.
 Json race(const Contest& contest, RayList& ours, const std::vector<interop::RayInfo>& rays, RayQuery query) {
     ours.upload(rays);
-    ours.trace();   // the first dispatch compiles
+    ours.trace();  // the first dispatch compiles
     std::vector<double> our_rates;
     std::vector<double> embree_rates;
     std::vector<double> ratios;
@@ -98,7 +97,8 @@ void print_scene(const Json& result) {
         const Json& row = result[set];
         fmt::print("  {:<8} {:7.2f} Mrays/s   Embree {:7.2f}   ratio {:.3f} ({:.3f} to {:.3f})\n", set,
                    row["mrays_per_second"].get<double>(), row["embree_mrays_per_second"].get<double>(),
-                   row["ratio"].get<double>(), row["ratio_min"].get<double>(), row["ratio_max"].get<double>());
+                   row["ratio"].get<double>(), row["ratio_min"].get<double>(),
+                   row["ratio_max"].get<double>());
     }
 }
 
@@ -114,7 +114,9 @@ int run(int argc, char** argv) {
     app.add_option("--device", wanted_device, "Vulkan device")->envname("UTSURI_DEVICE");
     app.add_option("--width", size.x, "Width of the picture whose rays are traced")->capture_default_str();
     app.add_option("--height", size.y, "Height of that picture")->capture_default_str();
-    app.add_option("--rounds", rounds, "Rounds per figure")->check(CLI::Range(1, 1000))->capture_default_str();
+    app.add_option("--rounds", rounds, "Rounds per figure")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
     CLI11_PARSE(app, argc, argv);
 
     const VulkanInstance instance;

@@ -11,7 +11,7 @@ function(utsuri_configure_target target)
                                -ffp-contract=off $<$<BOOL:${UTSURI_WERROR}>:-Werror>)
         # GCC 12 sees overflows in correct uses of std::string (its bug 105651).
         if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-            target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
+            target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
         endif()
     endif()
     if(UTSURI_SANITIZE)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flat BVH: nodes of up to eight children whose boxes are quantised to eight bits relative to their parent
-// (Ylitie, Karras and Laine, "Efficient incoherent ray traversal on GPUs through compressed wide BVHs", 2017).
+// The flat BVH: nodes of up to eight children whose boxes are quantised to eight bits relative to their
+// parent (Ylitie, Karras and Laine, "Efficient incoherent ray traversal on GPUs through compressed wide
+// BVHs", 2017).
 #ifndef UTSURI_INTEROP_BVH_H
 #define UTSURI_INTEROP_BVH_H
 #include "interop/prelude.h"
@@ -13,16 +14,17 @@ struct BvhNode {
     ///    bits 24-31: one bit a slot, set where the child is a node.
     uvec4 origin_exponents;
     /// x: index of the first child node; y: index of the first triangle; zw: meta byte of each slot.
-    /// Meta of a node in slot s: 0x20 | (24 + s). Meta of a leaf: its triangle count in unary (1, 3 or 7) in the upper
-    /// three bits, the offset of its first triangle from y in the lower five. Meta of an empty slot: 0.
+    /// Meta of a node in slot s: 0x20 | (24 + s). Meta of a leaf: its triangle count in unary (1, 3 or 7) in
+    /// the upper three bits, the offset of its first triangle from y in the lower five. Meta of an empty
+    /// slot: 0.
     uvec4 bases_meta;
-    uvec4 lower_xy;          ///< xy: lower x of the slots, in cells; zw: lower y
-    uvec4 lower_z_upper_x;   ///< xy: lower z; zw: upper x
-    uvec4 upper_yz;          ///< xy: upper y; zw: upper z
+    uvec4 lower_xy;         ///< xy: lower x of the slots, in cells; zw: lower y
+    uvec4 lower_z_upper_x;  ///< xy: lower z; zw: upper x
+    uvec4 upper_yz;         ///< xy: upper y; zw: upper z
 };
 
-/// Vertices of a triangle in scene space. Triangles are stored in the order in which leaves refer to them, and that
-/// order is the triangle index used everywhere on the device.
+/// Vertices of a triangle in scene space. Triangles are stored in the order in which leaves refer to them,
+/// and that order is the triangle index used everywhere on the device.
 struct BvhTriangle {
     vec3 v0;
     vec3 v1;

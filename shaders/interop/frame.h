@@ -6,10 +6,12 @@
 INTEROP_BEGIN
 
 INTEROP_CONSTANT PROJECTION_PERSPECTIVE = 0u;
-/// The fisheye of the OpenGL sphere map: the disc of radius 1/2 holds all directions about `forward` reversed.
+/// The fisheye of the OpenGL sphere map: the disc of radius 1/2 holds all directions about `forward`
+/// reversed.
 INTEROP_CONSTANT PROJECTION_SPHERE_MAP = 1u;
 
-/// Picture position (x, y) in [-1, 1]^2, y upwards, maps to the direction forward + x right + y up (perspective).
+/// Picture position (x, y) in [-1, 1]^2, y upwards, maps to the direction forward + x right + y up
+/// (perspective).
 struct CameraInfo {
     vec3 origin;
     vec3 right;
@@ -17,23 +19,24 @@ struct CameraInfo {
     vec3 forward;
 };
 
-/// Push constants of the kernels that render into a film. At most 128 bytes (the least that Vulkan guarantees).
+/// Push constants of the kernels that render into a film. At most 128 bytes (the least that Vulkan
+/// guarantees).
 struct FramePush {
     CameraInfo camera;
-    uint width;          ///< of the whole picture
+    uint width;  ///< of the whole picture
     uint height;
-    uint first_row;      ///< of the band that the film buffer holds
+    uint first_row;  ///< of the band that the film buffer holds
     uint rows;
-    uint first_tile;     ///< of this dispatch, within the band
-    uint sample_begin;   ///< samples of this dispatch: [begin, end)
+    uint first_tile;    ///< of this dispatch, within the band
+    uint sample_begin;  ///< samples of this dispatch: [begin, end)
     uint sample_end;
     uint seed;
-    uint specular_depth;      ///< most specular reflections followed
-    uint excluded_instance;   ///< invisible instance, or NONE
+    uint specular_depth;     ///< most specular reflections followed
+    uint excluded_instance;  ///< invisible instance, or NONE
 };
 
-/// Compensated sums (Kahan 1965) of the samples of a pixel. Even and odd samples are two independent estimates of the
-/// same pixel, whose difference tells the noise.
+/// Compensated sums (Kahan 1965) of the samples of a pixel. Even and odd samples are two independent
+/// estimates of the same pixel, whose difference tells the noise.
 struct FilmPixel {
     vec3 sum_even;
     vec3 compensation_even;
@@ -43,12 +46,12 @@ struct FilmPixel {
 
 /// Totals of a dispatch.
 struct Counters {
-    uint rays;         ///< closest-hit and any-hit queries
-    uint nonfinite;    ///< samples that were not finite and were left out
-    uint lookups;      ///< specular directions resolved
-    uint traced;       ///< of those, by following a ray
-    uint truncated;    ///< specular chains cut at specular_depth
-    uint incomplete;   ///< pixels whose loop over the samples the driver ended early
+    uint rays;        ///< closest-hit and any-hit queries
+    uint nonfinite;   ///< samples that were not finite and were left out
+    uint lookups;     ///< specular directions resolved
+    uint traced;      ///< of those, by following a ray
+    uint truncated;   ///< specular chains cut at specular_depth
+    uint incomplete;  ///< pixels whose loop over the samples the driver ended early
 };
 
 /// The first hit through the centre of a pixel.
@@ -59,10 +62,10 @@ struct AovPixel {
     vec3 shading_normal;
     vec3 albedo;
     vec2 texcoord;
-    uint triangle;          ///< device order, or NONE
+    uint triangle;  ///< device order, or NONE
     uint instance;
     uint material;
-    uint specular;          ///< 1 where the surface is a perfect mirror or smooth dielectric
+    uint specular;  ///< 1 where the surface is a perfect mirror or smooth dielectric
 };
 
 /// Pixels are worked on in square tiles of this edge, one tile a workgroup.

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lets one header declare the structs, binding numbers and specialization ids that C++ and GLSL share. Vectors are
-// GLM's unaligned types in C++, and buffers use scalar layout in GLSL, so members have the same offsets in both;
-// tests/gpu/interop_test.cpp holds the SPIR-V against offsetof.
+// Lets one header declare the structs, binding numbers and specialization ids that C++ and GLSL share.
+// Vectors are GLM's unaligned types in C++, and buffers use scalar layout in GLSL, so members have the same
+// offsets in both; tests/gpu/interop_test.cpp holds the SPIR-V against offsetof.
 #ifndef UTSURI_INTEROP_PRELUDE_H
 #define UTSURI_INTEROP_PRELUDE_H
 
 #ifdef __cplusplus
-#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#include <cstdint>
 
 namespace utsuri::interop {
 using uint = std::uint32_t;

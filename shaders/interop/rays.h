@@ -7,15 +7,15 @@ INTEROP_BEGIN
 
 struct RayInfo {
     vec3 origin;
-    vec3 direction;   ///< any length; distances are in multiples of it
+    vec3 direction;  ///< any length; distances are in multiples of it
     float t_max;
-    uint excluded;    ///< triangle that the ray passes through, or NONE
+    uint excluded;  ///< triangle that the ray passes through, or NONE
 };
 
 struct HitInfo {
-    float t;          ///< infinity where nothing is hit
-    uint triangle;    ///< device order, or NONE
-    float b1;         ///< barycentric coordinates of the second and third vertex
+    float t;        ///< infinity where nothing is hit
+    uint triangle;  ///< device order, or NONE
+    float b1;       ///< barycentric coordinates of the second and third vertex
     float b2;
 };
 

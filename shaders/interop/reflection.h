@@ -12,7 +12,7 @@ INTEROP_CONSTANT MAP_BORDER = 1u;
 
 struct ReflectorInfo {
     vec3 capture_point;
-    uint first_texel;   ///< of this reflector's maps, in texels
+    uint first_texel;  ///< of this reflector's maps, in texels
 };
 
 /// A vertex of a reflective instance, in scene space.
@@ -23,23 +23,23 @@ struct ReflectorVertex {
 
 /// What the per-vertex pass finds for one frame.
 struct VertexReflection {
-    vec3 direction;    ///< reflected (vertex - eye), not normalised
-    uint face;         ///< the cube face that direction points at
-    vec2 sphere_map;   ///< texture coordinate of the OpenGL sphere map
+    vec3 direction;   ///< reflected (vertex - eye), not normalised
+    uint face;        ///< the cube face that direction points at
+    vec2 sphere_map;  ///< texture coordinate of the OpenGL sphere map
 };
 
 struct ReflectVerticesPush {
     vec3 eye;
-    vec3 right;    ///< unit axes of the eye
+    vec3 right;  ///< unit axes of the eye
     vec3 up;
     vec3 forward;
     uint count;
 };
 
 struct ResolveMapPush {
-    uint texels;        ///< of one map, border included
-    uint first_texel;   ///< where they go
-    uint samples;       ///< that the film holds
+    uint texels;       ///< of one map, border included
+    uint first_texel;  ///< where they go
+    uint samples;      ///< that the film holds
 };
 
 INTEROP_END

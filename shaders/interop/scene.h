@@ -7,25 +7,25 @@ INTEROP_BEGIN
 
 /// What a hit on a triangle leads to. Indexed like BvhTriangle.
 struct TriangleInfo {
-    uvec3 vertices;   ///< into the vertex attribute buffers
+    uvec3 vertices;  ///< into the vertex attribute buffers
     uint material;
     uint instance;
-    uint light;       ///< the light this triangle is, or NONE
+    uint light;  ///< the light this triangle is, or NONE
 };
 
 struct TextureSlotInfo {
-    uint texture;     ///< into the texture headers, or NONE
-    uint sampling;    ///< wrap s (bits 0-1), wrap t (bits 2-3), filter (bit 4): the enums of scene/texture.h
+    uint texture;   ///< into the texture headers, or NONE
+    uint sampling;  ///< wrap s (bits 0-1), wrap t (bits 2-3), filter (bit 4): the enums of scene/texture.h
 };
 
 struct MaterialInfo {
     vec3 base_colour;
     float metallic;
-    vec3 emissive;        ///< cd/m2
-    float roughness;      ///< perceptual
-    float dielectric_f0;  ///< reflectance of the dielectric part at normal incidence
-    float dielectric_f90; ///< the same at grazing incidence
-    uint double_sided;    ///< 1: emits from both sides
+    vec3 emissive;         ///< cd/m2
+    float roughness;       ///< perceptual
+    float dielectric_f0;   ///< reflectance of the dielectric part at normal incidence
+    float dielectric_f90;  ///< the same at grazing incidence
+    uint double_sided;     ///< 1: emits from both sides
     TextureSlotInfo base_colour_texture;
     TextureSlotInfo metallic_roughness_texture;
     TextureSlotInfo emissive_texture;

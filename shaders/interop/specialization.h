@@ -5,17 +5,17 @@
 #include "interop/prelude.h"
 INTEROP_BEGIN
 
-INTEROP_CONSTANT SPEC_STACK_SIZE = 0u;          ///< entries of the traversal stack: the BVH's depth
+INTEROP_CONSTANT SPEC_STACK_SIZE = 0u;  ///< entries of the traversal stack: the BVH's depth
 INTEROP_CONSTANT SPEC_HAS_TEXTURES = 1u;
 INTEROP_CONSTANT SPEC_HAS_TRIANGLE_LIGHTS = 2u;
 INTEROP_CONSTANT SPEC_HAS_PUNCTUAL_LIGHTS = 3u;
 INTEROP_CONSTANT SPEC_HAS_ENVIRONMENT = 4u;
-INTEROP_CONSTANT SPEC_HAS_GLOSSY = 5u;          ///< some surface has a rough specular lobe
-INTEROP_CONSTANT SPEC_HAS_SPECULAR = 6u;        ///< some surface is a perfect mirror or a smooth dielectric
+INTEROP_CONSTANT SPEC_HAS_GLOSSY = 5u;    ///< some surface has a rough specular lobe
+INTEROP_CONSTANT SPEC_HAS_SPECULAR = 6u;  ///< some surface is a perfect mirror or a smooth dielectric
 INTEROP_CONSTANT SPEC_PROJECTION = 7u;
-INTEROP_CONSTANT SPEC_EXCLUDES_INSTANCE = 8u;   ///< FramePush::excluded_instance is honoured
-INTEROP_CONSTANT SPEC_MAP_SIZE = 9u;            ///< texels along an edge of a map, border not counted
-INTEROP_CONSTANT SPEC_ANY_HIT = 10u;            ///< the ray list kernel asks whether, not where
+INTEROP_CONSTANT SPEC_EXCLUDES_INSTANCE = 8u;  ///< FramePush::excluded_instance is honoured
+INTEROP_CONSTANT SPEC_MAP_SIZE = 9u;           ///< texels along an edge of a map, border not counted
+INTEROP_CONSTANT SPEC_ANY_HIT = 10u;           ///< the ray list kernel asks whether, not where
 INTEROP_CONSTANT SPEC_LIGHT_COUNT = 11u;
 INTEROP_CONSTANT SPEC_COUNT = 12u;
 

@@ -17,9 +17,9 @@ float max_component(vec3 v) {
     return max(v.x, max(v.y, v.z));
 }
 
-/// A power of two s with 1 <= s * x < 2, for x > 0 and normal.
+/// A power of two s with 1 <= s * x < 4, for x > 0 and normal; below 2 but for x >= 2^127, whose reciprocal is not normal.
 float power_of_two_reciprocal(float x) {
-    return uintBitsToFloat(0x7f000000u - (floatBitsToUint(x) & 0x7f800000u));
+    return uintBitsToFloat(max(0x7f000000u - (floatBitsToUint(x) & 0x7f800000u), 0x00800000u));
 }
 
 /// v / |v|, scaled by a power of two first, so that squares neither overflow nor vanish. Zero stays zero.

@@ -26,8 +26,9 @@ struct TriangleHit {
     bool hit;     ///< the line hits; t is yet to be held against the ray's interval
 };
 
-/// Both sides count; a triangle seen exactly edge-on, or without area, is never hit. The edge functions must not be
-/// contracted into fused multiply-adds: with them, shared edges leak.
+/// Both sides count; a triangle of which two vertices coincide is never hit, and one that is seen edge-on only where
+/// rounding makes a sliver of it, at a distance among those of its vertices. The edge functions must not be contracted
+/// into fused multiply-adds: with them, shared edges leak.
 TriangleHit intersect_triangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2) {
     vec3 a = axis_last(v0 - ray.origin, ray.axis);
     vec3 b = axis_last(v1 - ray.origin, ray.axis);

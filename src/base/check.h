@@ -21,19 +21,20 @@ class CheckFailure : public std::logic_error {
 }  // namespace utsuri
 
 /// Checks that stay in release builds; both operands are printed.
-#define UTSURI_CHECK_OP(a, op, b)                                                                       \
-    do {                                                                                                \
-        const auto& utsuri_check_a = (a);                                                               \
-        const auto& utsuri_check_b = (b);                                                               \
-        if (!(utsuri_check_a op utsuri_check_b)) {                                                      \
-            ::utsuri::fail_check(__FILE__, __LINE__,                                                    \
-                                 fmt::format("{} {} {} ({} vs {})", #a, #op, #b, utsuri_check_a, utsuri_check_b)); \
-        }                                                                                               \
+#define UTSURI_CHECK_OP(a, op, b)                                                                 \
+    do {                                                                                          \
+        const auto& utsuri_check_a = (a);                                                         \
+        const auto& utsuri_check_b = (b);                                                         \
+        if (!(utsuri_check_a op utsuri_check_b)) {                                                \
+            ::utsuri::fail_check(                                                                 \
+                __FILE__, __LINE__,                                                               \
+                fmt::format("{} {} {} ({} vs {})", #a, #op, #b, utsuri_check_a, utsuri_check_b)); \
+        }                                                                                         \
     } while (false)
 #define UTSURI_CHECK_EQ(a, b) UTSURI_CHECK_OP(a, ==, b)
 #define UTSURI_CHECK_LT(a, b) UTSURI_CHECK_OP(a, <, b)
 #define UTSURI_CHECK_LE(a, b) UTSURI_CHECK_OP(a, <=, b)
-#define UTSURI_CHECK(condition)                                                \
-    do {                                                                       \
+#define UTSURI_CHECK(condition)                                                 \
+    do {                                                                        \
         if (!(condition)) ::utsuri::fail_check(__FILE__, __LINE__, #condition); \
     } while (false)

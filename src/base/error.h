@@ -10,11 +10,11 @@ namespace utsuri {
 /// What the process returns to its caller. The same on every subcommand.
 enum class ExitCode : int {
     success = 0,
-    difference = 1,   ///< images differ beyond the threshold that was asked for
-    usage = 2,        ///< the command line is wrong
-    input = 3,        ///< a file is missing, damaged or unsupported, or cannot be written
-    device = 4,       ///< no usable Vulkan device, or the device failed
-    interrupted = 130 ///< stopped by the user
+    difference = 1,    ///< images differ beyond the threshold that was asked for
+    usage = 2,         ///< the command line is wrong
+    input = 3,         ///< a file is missing, damaged or unsupported, or cannot be written
+    device = 4,        ///< no usable Vulkan device, or the device failed
+    interrupted = 130  ///< stopped by the user
 };
 
 /// A failure that is nobody's bug: bad input or a failing device. The text reads "operation object: problem",

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/file.h"
 
+#include "base/error.h"
+
 #include <fmt/format.h>
 
 #include <fstream>
 #include <system_error>
-
-#include "base/error.h"
 
 namespace utsuri {
 namespace fs = std::filesystem;
@@ -44,7 +44,8 @@ void write_file_atomically(const fs::path& path, const std::function<void(const 
     if (fs::is_directory(path, error)) {
         throw InputError("write", fmt::format("'{}'", path.string()), "is a folder, expected a file name");
     }
-    const fs::path temporary = folder / fmt::format("{}.partial{}", path.stem().string(), path.extension().string());
+    const fs::path temporary =
+        folder / fmt::format("{}.partial{}", path.stem().string(), path.extension().string());
     try {
         write(temporary);
         fs::rename(temporary, path, error);
@@ -79,7 +80,8 @@ void make_output_folder(const fs::path& folder) {
     const fs::path probe = folder / ".utsuri-write-probe";
     std::ofstream stream(probe);
     if (!stream) {
-        throw InputError("write into output folder", fmt::format("'{}'", folder.string()), "permission denied");
+        throw InputError("write into output folder", fmt::format("'{}'", folder.string()),
+                         "permission denied");
     }
     stream.close();
     fs::remove(probe, error);

@@ -6,8 +6,8 @@
 
 namespace utsuri {
 
-/// Where long work tells how far it is and asks whether to go on. The command line shows one line on a terminal;
-/// tests and libraries may pass the silent base class.
+/// Where long work tells how far it is and asks whether to go on. The command line shows one line on a
+/// terminal; tests and libraries may pass the silent base class.
 class Progress {
   public:
     Progress() = default;

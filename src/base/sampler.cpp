@@ -12,9 +12,13 @@ std::uint32_t reverse_bits(std::uint32_t x) {
     return (x >> 16) | (x << 16);
 }
 
-std::uint32_t hash_combine(std::uint32_t a, std::uint32_t b) { return hash(a ^ hash(b)); }
+std::uint32_t hash_combine(std::uint32_t a, std::uint32_t b) {
+    return hash(a ^ hash(b));
+}
 
-float to_unit_interval(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
+float to_unit_interval(std::uint32_t bits) {
+    return static_cast<float>(bits >> 8) * 0x1p-24f;
+}
 
 }  // namespace
 

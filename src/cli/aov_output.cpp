@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/aov_output.h"
 
+#include "cli/options.h"
+
+#include "base/error.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
-
-#include "cli/options.h"
-
-#include "base/error.h"
 
 namespace utsuri {
 namespace {
@@ -21,9 +21,13 @@ struct Aov {
     std::function<void(const AovPixel&, const SceneData&, float*)> extract;
 };
 
-void put(const glm::vec3& value, float* out) { std::copy_n(&value.x, 3, out); }
+void put(const glm::vec3& value, float* out) {
+    std::copy_n(&value.x, 3, out);
+}
 
-float number(std::uint32_t index) { return index == interop::NONE ? -1.0f : static_cast<float>(index); }
+float number(std::uint32_t index) {
+    return index == interop::NONE ? -1.0f : static_cast<float>(index);
+}
 
 const std::vector<Aov>& all_aovs() {
     static const std::vector<Aov> aovs = {
@@ -31,7 +35,9 @@ const std::vector<Aov>& all_aovs() {
         {"position",
          {"position.X", "position.Y", "position.Z"},
          [](const AovPixel& p, const SceneData& scene, float* out) {
-             put(p.triangle == interop::NONE ? glm::vec3(0.0f) : glm::vec3(glm::dvec3(p.position) + scene.origin), out);
+             put(p.triangle == interop::NONE ? glm::vec3(0.0f)
+                                             : glm::vec3(glm::dvec3(p.position) + scene.origin),
+                 out);
          }},
         {"normal",
          {"normal.X", "normal.Y", "normal.Z"},
@@ -56,9 +62,9 @@ const std::vector<Aov>& all_aovs() {
         {"material",
          {"material.I"},
          [](const AovPixel& p, const SceneData&, float* out) { out[0] = number(p.material); }},
-        {"reflective",
-         {"reflective.I"},
-         [](const AovPixel& p, const SceneData&, float* out) { out[0] = static_cast<float>(p.specular); }}};
+        {"reflective", {"reflective.I"}, [](const AovPixel& p, const SceneData&, float* out) {
+             out[0] = static_cast<float>(p.specular);
+         }}};
     return aovs;
 }
 
@@ -66,7 +72,8 @@ const std::vector<Aov>& all_aovs() {
 
 std::string aov_names() {
     std::string names;
-    for (const Aov& aov : all_aovs()) names += (names.empty() ? "" : ", ") + aov.name;
+    for (const Aov& aov : all_aovs())
+        names += (names.empty() ? "" : ", ") + aov.name;
     return names;
 }
 
@@ -75,7 +82,8 @@ AovSelection parse_aovs(const std::string& text) {
     for (const std::string& name : selection) {
         const auto same = [&](const Aov& aov) { return aov.name == name; };
         if (std::none_of(all_aovs().begin(), all_aovs().end(), same)) {
-            throw UsageError("use --aov", fmt::format("'{}'", name), fmt::format("there are: {}", aov_names()));
+            throw UsageError("use --aov", fmt::format("'{}'", name),
+                             fmt::format("there are: {}", aov_names()));
         }
     }
     return selection;
@@ -83,11 +91,13 @@ AovSelection parse_aovs(const std::string& text) {
 
 std::vector<ExrChannels> AovPlanes::channels() const {
     std::vector<ExrChannels> result;
-    for (const Plane& plane : planes) result.push_back({plane.names, plane.values.data()});
+    for (const Plane& plane : planes)
+        result.push_back({plane.names, plane.values.data()});
     return result;
 }
 
-AovPlanes extract_aovs(const std::vector<AovPixel>& pixels, const AovSelection& selection, const SceneData& scene) {
+AovPlanes extract_aovs(const std::vector<AovPixel>& pixels, const AovSelection& selection,
+                       const SceneData& scene) {
     AovPlanes result;
     for (const Aov& aov : all_aovs()) {
         if (std::find(selection.begin(), selection.end(), aov.name) == selection.end()) continue;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "renderers/common/aov.h"
 #include "renderers/common/scene_data.h"
 
 #include "image_io/image_io.h"
+
+#include <string>
+#include <vector>
 
 namespace utsuri {
 
@@ -24,7 +24,7 @@ AovSelection parse_aovs(const std::string& text);
 struct AovPlanes {
     struct Plane {
         std::vector<std::string> names;
-        std::vector<float> values;   ///< interleaved
+        std::vector<float> values;  ///< interleaved
     };
     std::vector<Plane> planes;
 
@@ -32,8 +32,8 @@ struct AovPlanes {
     [[nodiscard]] std::vector<ExrChannels> channels() const;
 };
 
-/// Positions are in world space, triangle numbers those of the scene; pixels that hit nothing have depth infinity and
-/// numbers -1.
+/// Positions are in world space, triangle numbers those of the scene; pixels that hit nothing have depth
+/// infinity and numbers -1.
 AovPlanes extract_aovs(const std::vector<interop::AovPixel>& pixels, const AovSelection& selection,
                        const SceneData& scene);
 

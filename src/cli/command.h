@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/error.h"
+
 #include <CLI/App.hpp>
 
 #include <functional>
 #include <string>
 #include <vector>
-
-#include "base/error.h"
 
 namespace utsuri {
 

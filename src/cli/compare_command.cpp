@@ -1,11 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-
-#include <limits>
-#include <memory>
-
 #include "cli/command.h"
 #include "cli/output.h"
 #include "cli/progress_line.h"
@@ -16,6 +9,12 @@
 #include "compare/write_comparison.h"
 
 #include "base/file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <memory>
 
 namespace utsuri {
 namespace {
@@ -36,7 +35,8 @@ std::vector<Method> wanted_methods(const CompareOptions& options) {
     const LightMethod light = parse_light(options.light);
     if (options.methods.empty()) return all_methods(light);
     std::vector<Method> methods;
-    for (const std::string& name : split_list(options.methods)) methods.push_back({light, parse_reflection(name)});
+    for (const std::string& name : split_list(options.methods))
+        methods.push_back({light, parse_reflection(name)});
     return methods;
 }
 
@@ -46,8 +46,8 @@ bool differs(const Comparison& comparison, const CompareOptions& options) {
     bool any = false;
     for (const MethodResult& result : comparison.methods) {
         if (result.metrics.rel_mse <= *options.fail_above) continue;
-        fmt::print(stderr, "{}: relMSE {:.3g} is above {:.3g}\n", method_name(result.method), result.metrics.rel_mse,
-                   *options.fail_above);
+        fmt::print(stderr, "{}: relMSE {:.3g} is above {:.3g}\n", method_name(result.method),
+                   result.metrics.rel_mse, *options.fail_above);
         any = true;
     }
     return any;
@@ -99,18 +99,25 @@ void add_compare_command(CLI::App& app, const std::string& command_line, Action&
     CLI::App* command = app.add_subcommand(
         "compare", "Render a scene by several methods and hold them against a ray traced reference");
     command->add_option("scene", options->scene, "glTF scene, .gltf or .glb")->required()->type_name("SCENE");
-    command->add_option("-o,--output", options->folder, "Folder for pictures, compare.json and report.html [compare-SCENE]")
+    command
+        ->add_option("-o,--output", options->folder,
+                     "Folder for pictures, compare.json and report.html [compare-SCENE]")
         ->type_name("DIR");
-    command->add_option("--light", options->light, "Light at diffuse surfaces: direct")->capture_default_str();
+    command->add_option("--light", options->light, "Light at diffuse surfaces: direct")
+        ->capture_default_str();
     command->add_option("--methods", options->methods,
                         "Reflections to compare, separated by commas [trace,polygon-map,sphere-map]");
     command->add_option("--spp", options->samples, "Samples per pixel of each method")
         ->check(CLI::Range(1u, 1u << 24))
         ->capture_default_str();
-    command->add_option("--reference-spp", options->reference_samples, "Samples per pixel of the reference, made even")
+    command
+        ->add_option("--reference-spp", options->reference_samples,
+                     "Samples per pixel of the reference, made even")
         ->check(CLI::Range(2u, 1u << 24))
         ->capture_default_str();
-    command->add_option("--fail-above", options->fail_above, "Exit with 1 if the relMSE of a method is above this")
+    command
+        ->add_option("--fail-above", options->fail_above,
+                     "Exit with 1 if the relMSE of a method is above this")
         ->check(finite_range(0.0, std::numeric_limits<double>::max()));
     add_picture_options(*command, options->picture);
     add_common_options(*command, options->common);

@@ -1,29 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-
-#include <memory>
-
 #include "cli/command.h"
 #include "cli/output.h"
 #include "cli/session.h"
 #include "compare/comparison_json.h"
 #include "compare/comparison_table.h"
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
 namespace utsuri {
 namespace {
 
 std::string describe(const DeviceSummary& device) {
-    return fmt::format("{}: {} ({})\n"
-                       "   {}, Vulkan {}\n"
-                       "   {} of memory, {} in one buffer, subgroups of {}\n"
-                       "   {}\n",
-                       device.index, device.name, device.kind, device.driver, device.api,
-                       format_bytes(device.memory_bytes), format_bytes(device.storage_range_bytes),
-                       device.subgroup_size,
-                       device.usable() ? std::string("usable")
-                                       : fmt::format("not usable: lacks {}", fmt::join(device.missing, ", ")));
+    return fmt::format(
+        "{}: {} ({})\n"
+        "   {}, Vulkan {}\n"
+        "   {} of memory, {} in one buffer, subgroups of {}\n"
+        "   {}\n",
+        device.index, device.name, device.kind, device.driver, device.api, format_bytes(device.memory_bytes),
+        format_bytes(device.storage_range_bytes), device.subgroup_size,
+        device.usable() ? std::string("usable")
+                        : fmt::format("not usable: lacks {}", fmt::join(device.missing, ", ")));
 }
 
 nlohmann::ordered_json to_json(const DeviceSummary& device) {
@@ -47,7 +46,9 @@ ExitCode devices(const CommonOptions& options) {
         text += describe(device);
         json.push_back(to_json(device));
     }
-    print_text(options, text + fmt::format("device {} is used unless --device or UTSURI_DEVICE says otherwise\n", chosen));
+    print_text(
+        options,
+        text + fmt::format("device {} is used unless --device or UTSURI_DEVICE says otherwise\n", chosen));
     write_json(options, {{"devices", json}, {"chosen", chosen}});
     return ExitCode::success;
 }

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-
-#include <memory>
-
 #include "cli/command.h"
 #include "cli/output.h"
 #include "cli/session.h"
 #include "compare/comparison_table.h"
-
 #include "renderers/common/film.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
 
 namespace utsuri {
 namespace {
@@ -25,7 +23,7 @@ struct InfoOptions {
 struct Prediction {
     std::uint64_t scene = 0;
     std::uint64_t film = 0;
-    std::uint64_t polygon_maps = 0;   ///< with their film
+    std::uint64_t polygon_maps = 0;  ///< with their film
 };
 
 Prediction predict(const SceneData& data, const RenderSettings& settings, const MapSettings& maps) {
@@ -42,10 +40,13 @@ Prediction predict(const SceneData& data, const RenderSettings& settings, const 
 }
 
 std::string depth_text(std::uint32_t depth) {
-    return depth == kUnboundedSpecularDepth ? "unbounded (mirrors can face each other)" : fmt::format("{}", depth);
+    return depth == kUnboundedSpecularDepth ? "unbounded (mirrors can face each other)"
+                                            : fmt::format("{}", depth);
 }
 
-std::string yes(bool value) { return value ? "yes" : "no"; }
+std::string yes(bool value) {
+    return value ? "yes" : "no";
+}
 
 std::string describe(const InfoOptions& options, const LoadedScene& loaded, const SceneData& data,
                      const Prediction& memory) {
@@ -60,7 +61,8 @@ std::string describe(const InfoOptions& options, const LoadedScene& loaded, cons
     row("triangles", fmt::format("{} in {} instances", needs.triangles, needs.instances));
     row("vertices", fmt::format("{}", needs.vertices));
     row("materials in use", fmt::format("{}", needs.materials));
-    row("textures in use", fmt::format("{} with {} texels", needs.textures, format_count(static_cast<double>(needs.texels))));
+    row("textures in use",
+        fmt::format("{} with {} texels", needs.textures, format_count(static_cast<double>(needs.texels))));
     for (std::size_t i = 0; i < loaded.scene.cameras.size(); ++i) {
         row(i == 0 ? "cameras" : "", fmt::format("{}: {}", i, loaded.scene.cameras[i].name));
     }
@@ -77,12 +79,14 @@ std::string describe(const InfoOptions& options, const LoadedScene& loaded, cons
         row("", loaded.scene.instances[instance].name);
     }
     row("specular chain depth", depth_text(needs.specular_depth));
-    text += fmt::format("memory predicted at {}, maps of {}\n", options.picture.size, options.picture.map_size);
+    text +=
+        fmt::format("memory predicted at {}, maps of {}\n", options.picture.size, options.picture.map_size);
     row("scene", format_bytes(memory.scene));
     row("film", format_bytes(memory.film));
     row("polygon maps", format_bytes(memory.polygon_maps));
     if (!loaded.notes.empty()) text += "notes\n";
-    for (const std::string& note : loaded.notes) text += fmt::format("  {}\n", note);
+    for (const std::string& note : loaded.notes)
+        text += fmt::format("  {}\n", note);
     return text;
 }
 
@@ -94,7 +98,8 @@ nlohmann::ordered_json to_json(const InfoOptions& options, const LoadedScene& lo
         reflective.push_back(loaded.scene.instances[instance].name);
     }
     nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
-    for (const Camera& camera : loaded.scene.cameras) cameras.push_back(camera.name);
+    for (const Camera& camera : loaded.scene.cameras)
+        cameras.push_back(camera.name);
     return {{"scene", options.scene},
             {"triangles", needs.triangles},
             {"vertices", needs.vertices},
@@ -135,12 +140,15 @@ ExitCode info(const InfoOptions& options) {
 
 void add_info_command(CLI::App& app, Action& action) {
     auto options = std::make_shared<InfoOptions>();
-    CLI::App* command = app.add_subcommand("info", "Tell what a scene holds, what it requires and what is ignored");
+    CLI::App* command =
+        app.add_subcommand("info", "Tell what a scene holds, what it requires and what is ignored");
     command->add_option("scene", options->scene, "glTF scene, .gltf or .glb")->required()->type_name("SCENE");
     command->add_option("--size", options->picture.size, "Picture size in pixels, for the memory prediction")
         ->type_name("WxH")
         ->capture_default_str();
-    command->add_option("--map-size", options->picture.map_size, "Texels along an edge of a map, for the memory prediction")
+    command
+        ->add_option("--map-size", options->picture.map_size,
+                     "Texels along an edge of a map, for the memory prediction")
         ->check(CLI::Range(1u, 4096u))
         ->capture_default_str();
     add_common_options(*command, options->common);

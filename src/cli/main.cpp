@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/command.h"
+
+#include "base/error.h"
+#include "base/progress.h"
+#include "base/version.h"
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -10,27 +15,24 @@
 #include <new>
 #include <string>
 
-#include "cli/command.h"
-
-#include "base/error.h"
-#include "base/progress.h"
-#include "base/version.h"
-
 namespace utsuri {
 namespace {
 
 std::string quote(const std::string& argument) {
-    const bool plain = !argument.empty() && argument.find_first_of(" \t\n'\"\\$`*?;&|<>()[]{}!#~") == std::string::npos;
+    const bool plain =
+        !argument.empty() && argument.find_first_of(" \t\n'\"\\$`*?;&|<>()[]{}!#~") == std::string::npos;
     if (plain) return argument;
     std::string quoted = "'";
-    for (const char c : argument) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    for (const char c : argument)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return quoted + "'";
 }
 
 /// The command line as a shell would take it, for reports.
 std::string command_line(int argc, char** argv) {
     std::string text = "utsuri";
-    for (int i = 1; i < argc; ++i) text += " " + quote(argv[i]);
+    for (int i = 1; i < argc; ++i)
+        text += " " + quote(argv[i]);
     return text;
 }
 
@@ -45,12 +47,16 @@ void check_subcommand(const CLI::App& app, int argc, char** argv) {
     throw UsageError("run", fmt::format("'{}'", argv[1]), fmt::format("there are: {}", names));
 }
 
-int exit_status(ExitCode code) { return static_cast<int>(code); }
+int exit_status(ExitCode code) {
+    return static_cast<int>(code);
+}
 
 int run(int argc, char** argv) {
-    CLI::App app("Renders a glTF scene by tracing rays and by reflection mapping, and measures what each costs and how "
-                 "wrong it is.",
-                 "utsuri");
+    CLI::App app(
+        "Renders a glTF scene by tracing rays and by reflection mapping, and measures what each costs and "
+        "how "
+        "wrong it is.",
+        "utsuri");
     app.set_version_flag("--version", std::string("utsuri ") + kVersion);
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
@@ -60,9 +66,10 @@ int run(int argc, char** argv) {
     add_info_command(app, action);
     add_diff_command(app, action);
     add_devices_command(app, action);
-    app.footer("Exit codes: 0 success, 1 images differ, 2 wrong usage, 3 bad input, 4 no usable device, 130 "
-               "interrupted.\nEnvironment: UTSURI_DEVICE chooses the device, UTSURI_VALIDATION=1 turns Vulkan "
-               "validation on.");
+    app.footer(
+        "Exit codes: 0 success, 1 images differ, 2 wrong usage, 3 bad input, 4 no usable device, 130 "
+        "interrupted.\nEnvironment: UTSURI_DEVICE chooses the device, UTSURI_VALIDATION=1 turns Vulkan "
+        "validation on.");
     check_subcommand(app, argc, argv);
     try {
         app.parse(argc, argv);

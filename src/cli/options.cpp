@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/options.h"
 
+#include "base/error.h"
+
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <sstream>
-
-#include "base/error.h"
 
 namespace utsuri {
 namespace {
@@ -30,14 +30,16 @@ std::optional<Number> parse_number(std::string_view text) {
 std::vector<std::string> split_list(const std::string& text) {
     std::vector<std::string> parts;
     std::istringstream stream(text);
-    for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+    for (std::string part; std::getline(stream, part, ',');)
+        parts.push_back(part);
     return parts;
 }
 
 CLI::Validator finite_range(double lowest, double highest) {
     const auto check = [=](const std::string& text) {
         double value = 0.0;
-        if (CLI::detail::lexical_cast(text, value) && value >= lowest && value <= highest) return std::string();
+        if (CLI::detail::lexical_cast(text, value) && value >= lowest && value <= highest)
+            return std::string();
         return fmt::format("Value {} not in range {:g} to {:g}", text, lowest, highest);
     };
     return CLI::Validator(check, fmt::format("in [{:g} - {:g}]", lowest, highest));
@@ -50,9 +52,9 @@ glm::uvec2 parse_size(const std::string& text) {
                             ? std::nullopt
                             : parse_number<std::uint32_t>(std::string_view(text).substr(cross + 1));
     if (!width || !height || *width < 1 || *height < 1 || *width > kLargestEdge || *height > kLargestEdge) {
-        throw UsageError("use --size", fmt::format("'{}'", text),
-                         fmt::format("expected WIDTHxHEIGHT in pixels, each from 1 to {}, such as 512x384",
-                                     kLargestEdge));
+        throw UsageError(
+            "use --size", fmt::format("'{}'", text),
+            fmt::format("expected WIDTHxHEIGHT in pixels, each from 1 to {}, such as 512x384", kLargestEdge));
     }
     return {*width, *height};
 }
@@ -63,7 +65,8 @@ double parse_duration(const std::string& text) {
     const std::string unit = unit_at == std::string::npos ? "s" : text.substr(unit_at);
     const double scale = unit == "ms" ? 1e-3 : (unit == "s" ? 1.0 : (unit == "min" ? 60.0 : 0.0));
     if (!value || !std::isfinite(*value) || !(*value > 0.0) || scale == 0.0) {
-        throw UsageError("use time", fmt::format("'{}'", text), "expected a positive time such as 33ms, 2s or 5min");
+        throw UsageError("use time", fmt::format("'{}'", text),
+                         "expected a positive time such as 33ms, 2s or 5min");
     }
     return *value * scale;
 }
@@ -74,7 +77,8 @@ glm::dvec3 parse_point(const std::string& text) {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto value = parts.size() == 3 ? parse_number<double>(parts[i]) : std::nullopt;
         if (!value || !std::isfinite(*value)) {
-            throw UsageError("use point", fmt::format("'{}'", text), "expected X,Y,Z in metres, such as 0,1.5,-2");
+            throw UsageError("use point", fmt::format("'{}'", text),
+                             "expected X,Y,Z in metres, such as 0,1.5,-2");
         }
         point[static_cast<int>(i)] = *value;
     }
@@ -105,7 +109,9 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {
-    command.add_option("--size", options.size, "Picture size in pixels")->type_name("WxH")->capture_default_str();
+    command.add_option("--size", options.size, "Picture size in pixels")
+        ->type_name("WxH")
+        ->capture_default_str();
     command.add_option("--camera", options.camera, "Camera: index or name [the first]");
     command.add_option("--seed", options.seed, "Seed of the random numbers")
         ->check(CLI::Range(0u, std::numeric_limits<std::uint32_t>::max()))

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/App.hpp>
+#include "renderers/common/renderer.h"
+#include "renderers/reflection_map/reflection_maps.h"
 
+#include <CLI/App.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "renderers/common/renderer.h"
-#include "renderers/reflection_map/reflection_maps.h"
 
 namespace utsuri {
 
@@ -20,9 +19,9 @@ inline constexpr double kMostStops = 60.0;
 
 /// Options that every subcommand has.
 struct CommonOptions {
-    std::string device;   ///< index or part of a name; empty: UTSURI_DEVICE, else the fastest
-    bool quiet = false;   ///< no progress and no summary
-    std::string json;     ///< where to write the result for machines: a file, "-" for standard output, or empty
+    std::string device;  ///< index or part of a name; empty: UTSURI_DEVICE, else the fastest
+    bool quiet = false;  ///< no progress and no summary
+    std::string json;  ///< where to write the result for machines: a file, "-" for standard output, or empty
 };
 
 /// Options that say how a picture is rendered.

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/output.h"
 
-#include <fmt/format.h>
+#include "base/file.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-
-#include "base/file.h"
 
 namespace utsuri {
 
@@ -28,7 +27,8 @@ void print_text(const CommonOptions& options, const std::string& text) {
 void print_notes(const CommonOptions& options, const Notes& notes) {
     if (options.quiet) return;
     constexpr std::size_t kScreenful = 20;
-    for (std::size_t i = 0; i < notes.size() && i < kScreenful; ++i) fmt::print(stderr, "note: {}\n", notes[i]);
+    for (std::size_t i = 0; i < notes.size() && i < kScreenful; ++i)
+        fmt::print(stderr, "note: {}\n", notes[i]);
     if (notes.size() > kScreenful) {
         fmt::print(stderr, "note: and {} more; 'utsuri info' lists all\n", notes.size() - kScreenful);
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
-#include <string>
-
 #include "cli/options.h"
 
 #include "scene/scene.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
 
 namespace utsuri {
 

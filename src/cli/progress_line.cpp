@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/progress_line.h"
 
+#include "compare/comparison_table.h"
+
 #include <fmt/format.h>
 
 #include <csignal>
 #include <cstdio>
-
-#include "compare/comparison_table.h"
 
 #ifdef _WIN32
 #include <io.h>
@@ -20,7 +20,9 @@ namespace {
 // A signal handler can reach nothing but a variable like this.
 volatile std::sig_atomic_t interrupt_requested = 0;
 
-void on_interrupt(int) { interrupt_requested = 1; }
+void on_interrupt(int) {
+    interrupt_requested = 1;
+}
 
 bool is_terminal() {
 #ifdef _WIN32
@@ -34,7 +36,9 @@ constexpr const char* kEraseLine = "\r\033[K";
 
 }  // namespace
 
-ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && is_terminal()) { std::signal(SIGINT, on_interrupt); }
+ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && is_terminal()) {
+    std::signal(SIGINT, on_interrupt);
+}
 
 ProgressLine::~ProgressLine() {
     clear();
@@ -56,7 +60,9 @@ void ProgressLine::update(double done, double total) {
     show(fmt::format("{}: {:.0f} %, {:.3g} /s, {} left", stage_, 100.0 * done / total, rate, left));
 }
 
-bool ProgressLine::cancelled() const { return interrupt_requested != 0; }
+bool ProgressLine::cancelled() const {
+    return interrupt_requested != 0;
+}
 
 void ProgressLine::clear() {
     if (visible_) std::fputs(kEraseLine, stderr);

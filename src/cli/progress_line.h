@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/progress.h"
+
 #include <chrono>
 #include <string>
 
-#include "base/progress.h"
-
 namespace utsuri {
 
-/// One line on standard error, if that is a terminal, that tells the stage, how much is done and the time left. While
-/// one of these lives, Ctrl-C cancels instead of killing.
+/// One line on standard error, if that is a terminal, that tells the stage, how much is done and the time
+/// left. While one of these lives, Ctrl-C cancels instead of killing.
 class ProgressLine : public Progress {
   public:
     explicit ProgressLine(bool quiet);

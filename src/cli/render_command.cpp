@@ -1,11 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-
-#include <chrono>
-#include <memory>
-
 #include "cli/aov_output.h"
 #include "cli/command.h"
 #include "cli/output.h"
@@ -19,6 +12,12 @@
 #include "base/version.h"
 #include "image/tone.h"
 #include "image_io/image_io.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <memory>
 
 namespace utsuri {
 namespace {
@@ -41,18 +40,18 @@ struct RenderOptions {
 constexpr std::uint32_t kDefaultSamples = 16;
 /// Where only time or noise ends a run: 2^24 samples, beyond which a pixel's sums stop gaining.
 constexpr std::uint32_t kMostSamples = 1u << 24;
-/// Relative noise that a user can ask for: below the first the rounding of float32 pixels hides it, and a picture of
-/// few samples has less than the second.
+/// Relative noise that a user can ask for: below the first the rounding of float32 pixels hides it, and a
+/// picture of few samples has less than the second.
 constexpr double kLeastNoise = 1e-7;
 constexpr double kMostNoise = 1e6;
 
 struct Result {
     Image image;
     std::uint32_t samples = 0;
-    std::optional<double> noise;        ///< relative; of an even number of samples
+    std::optional<double> noise;  ///< relative; of an even number of samples
     RenderStatistics statistics;
     std::uint64_t peak_bytes = 0;
-    double first_frame_seconds = 0.0;   ///< from the start of the process' work to the first whole sample
+    double first_frame_seconds = 0.0;  ///< from the start of the process' work to the first whole sample
 };
 
 /// Adds samples in growing steps until one of the goals is met.
@@ -65,8 +64,10 @@ void render_until_done(Renderer& renderer, Film& film, const RenderOptions& opti
     progress.begin(fmt::format("{}/{}", options.light, options.reflection));
     while (film.samples() < most && !progress.cancelled()) {
         std::uint32_t step = std::min(most - film.samples(), most);
-        if (film.samples() == 0) step = 1;
-        else if (open_ended) step = std::min(step, film.samples());
+        if (film.samples() == 0)
+            step = 1;
+        else if (open_ended)
+            step = std::min(step, film.samples());
         if (options.noise && (film.samples() + step) % 2 != 0) step = film.samples() + 1 < most ? 1 : step;
         if (seconds > 0.0 && film.samples() > 0) {
             const double elapsed = std::chrono::duration<double>(Clock::now() - sampling_start).count();
@@ -77,7 +78,8 @@ void render_until_done(Renderer& renderer, Film& film, const RenderOptions& opti
         const bool first = film.samples() == 0;
         renderer.add_samples(film, step, progress);
         if (first) result.first_frame_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        if (options.noise && film.samples() % 2 == 0 && film.estimate_noise().relative <= *options.noise) break;
+        if (options.noise && film.samples() % 2 == 0 && film.estimate_noise().relative <= *options.noise)
+            break;
     }
     if (film.samples() == 0) throw Interrupted();
     result.image = film.resolve();
@@ -115,10 +117,11 @@ void write_picture(const Result& result, const RenderOptions& options, const std
     if (path.extension() == ".png") {
         return write_png(path, result.image, options.picture.exposure.value_or(auto_exposure(result.image)));
     }
-    const ImageMetadata metadata = {{"Software", fmt::format("utsuri {}", kVersion)},
-                                    {"utsuri:method", fmt::format("{}/{}", options.light, options.reflection)},
-                                    {"utsuri:samples", fmt::format("{}", result.samples)},
-                                    {"utsuri:scene", options.scene}};
+    const ImageMetadata metadata = {
+        {"Software", fmt::format("utsuri {}", kVersion)},
+        {"utsuri:method", fmt::format("{}/{}", options.light, options.reflection)},
+        {"utsuri:samples", fmt::format("{}", result.samples)},
+        {"utsuri:scene", options.scene}};
     if (aovs.empty()) return write_exr(path, result.image, ExrPrecision::single, metadata);
     std::vector<ExrChannels> channels = {{{"R", "G", "B"}, &result.image.pixels.front().x}};
     channels.insert(channels.end(), aovs.begin(), aovs.end());
@@ -128,7 +131,8 @@ void write_picture(const Result& result, const RenderOptions& options, const std
 void check_output(const RenderOptions& options) {
     const std::string extension = std::filesystem::path(options.output).extension().string();
     if (extension != ".exr" && extension != ".png") {
-        throw UsageError("write", fmt::format("'{}'", options.output), "expected a name that ends in .exr or .png");
+        throw UsageError("write", fmt::format("'{}'", options.output),
+                         "expected a name that ends in .exr or .png");
     }
     if (!options.aovs.empty() && extension != ".exr") {
         throw UsageError("write AOVs into", fmt::format("'{}'", options.output), "only .exr files hold them");
@@ -143,7 +147,7 @@ void check_output(const RenderOptions& options) {
     if (std::filesystem::is_directory(path, unreadable)) {
         throw InputError("write", fmt::format("'{}'", options.output), "is a folder, expected a file name");
     }
-    make_output_folder(folder);   // which is there: proves before the work that its result can be written
+    make_output_folder(folder);  // which is there: proves before the work that its result can be written
 }
 
 ExitCode render(const RenderOptions& options) {
@@ -163,7 +167,8 @@ ExitCode render(const RenderOptions& options) {
     progress.begin("building the BVH");
     const SceneData data = prepare_scene_data(loaded.scene);
     const GpuScene scene(session.device(), data);
-    const std::unique_ptr<Renderer> renderer = make_renderer(method, {session.device(), data, scene, camera}, settings, maps);
+    const std::unique_ptr<Renderer> renderer =
+        make_renderer(method, {session.device(), data, scene, camera}, settings, maps);
     progress.begin("preparing");
     renderer->prepare(progress);
     Film film(session.device(), settings.width, settings.height, "picture");
@@ -175,7 +180,8 @@ ExitCode render(const RenderOptions& options) {
     AovPlanes planes;
     if (!aovs.empty()) {
         const auto info = make_camera_info(camera, data.origin, settings.width, settings.height);
-        planes = extract_aovs(render_aovs(session.device(), scene, info, settings.width, settings.height), aovs, data);
+        planes = extract_aovs(render_aovs(session.device(), scene, info, settings.width, settings.height),
+                              aovs, data);
     }
     write_picture(result, options, planes.channels());
     progress.clear();
@@ -204,13 +210,17 @@ void add_render_command(CLI::App& app, Action& action) {
     command->add_option("-o,--output", options->output, "Picture: .exr (cd/m2) or .png (for display)")
         ->required()
         ->type_name("FILE");
-    command->add_option("--light", options->light, "Light at diffuse surfaces: direct")->capture_default_str();
+    command->add_option("--light", options->light, "Light at diffuse surfaces: direct")
+        ->capture_default_str();
     command->add_option("--reflection", options->reflection, "Reflections: trace, polygon-map or sphere-map")
         ->capture_default_str();
-    command->add_option("--spp", options->samples, "Samples per pixel, or the most with --time or --noise [16]")
+    command
+        ->add_option("--spp", options->samples, "Samples per pixel, or the most with --time or --noise [16]")
         ->check(CLI::Range(1u, kMostSamples));
     command->add_option("--time", options->time, "Time for samples, such as 500ms, 10s or 5min");
-    command->add_option("--noise", options->noise, "Relative standard error of the pixels to reach, such as 0.01")
+    command
+        ->add_option("--noise", options->noise,
+                     "Relative standard error of the pixels to reach, such as 0.01")
         ->check(finite_range(kLeastNoise, kMostNoise));
     command->add_option("--aov", options->aovs,
                         "First-hit channels for the .exr, separated by commas: " + aov_names());

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/session.h"
 
+#include "base/error.h"
+
 #include <fmt/format.h>
 
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
-
-#include "base/error.h"
 
 namespace utsuri {
 namespace {
@@ -46,7 +46,9 @@ const Camera& choose_camera(const Scene& scene, const std::string& wanted) {
     throw UsageError("choose camera", fmt::format("'{}'", wanted), fmt::format("the scene has{}", names));
 }
 
-std::unique_ptr<VulkanInstance> make_instance() { return std::make_unique<VulkanInstance>(wanted_validation()); }
+std::unique_ptr<VulkanInstance> make_instance() {
+    return std::make_unique<VulkanInstance>(wanted_validation());
+}
 
 DeviceSession::DeviceSession(const CommonOptions& options)
     : instance_(make_instance()), device_(std::make_unique<Device>(*instance_, options.device)) {}

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
-#include <memory>
-#include <string>
-
 #include "cli/options.h"
 #include "compare/method.h"
 #include "import/gltf.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
 
 namespace utsuri {
 
 /// A scene file on the host.
 struct LoadedScene {
     Scene scene;
-    Notes notes;                   ///< all of what was ignored, dropped and added
+    Notes notes;  ///< all of what was ignored, dropped and added
     double import_seconds = 0.0;
 };
 
@@ -24,8 +24,8 @@ LoadedScene load_scene(const std::filesystem::path& path);
 /// @throws UsageError that lists the cameras
 const Camera& choose_camera(const Scene& scene, const std::string& wanted);
 
-/// A Vulkan device for one run. With UTSURI_VALIDATION=1 in the environment the validation layer watches, and what it
-/// says is an error.
+/// A Vulkan device for one run. With UTSURI_VALIDATION=1 in the environment the validation layer watches, and
+/// what it says is an error.
 class DeviceSession {
   public:
     explicit DeviceSession(const CommonOptions& options);

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "compare/method.h"
 
 #include "gpu/device_selection.h"
@@ -13,52 +8,57 @@
 #include "image/metrics.h"
 #include "image/plane.h"
 
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace utsuri {
 
 /// One picture, what it took, and, for a method, how wrong it is.
 struct MethodResult {
     Method method;
-    std::uint32_t samples = 0;              ///< per pixel
-    std::optional<MapSettings> maps;        ///< for methods that use maps
-    double prepare_seconds = 0.0;           ///< maps captured before the first frame, pipelines excluded
-    double compile_seconds = 0.0;           ///< pipelines
-    double frame_seconds = 0.0;             ///< wall time of all samples
-    double gpu_seconds = 0.0;               ///< of that, by the device's clock
-    std::uint64_t peak_bytes = 0;           ///< device memory, scene included
-    std::uint64_t rays = 0;                 ///< of the frame
+    std::uint32_t samples = 0;        ///< per pixel
+    std::optional<MapSettings> maps;  ///< for methods that use maps
+    double prepare_seconds = 0.0;     ///< maps captured before the first frame, pipelines excluded
+    double compile_seconds = 0.0;     ///< pipelines
+    double frame_seconds = 0.0;       ///< wall time of all samples
+    double gpu_seconds = 0.0;         ///< of that, by the device's clock
+    std::uint64_t peak_bytes = 0;     ///< device memory, scene included
+    std::uint64_t rays = 0;           ///< of the frame
     std::uint64_t prepare_rays = 0;
-    double traced_fraction = 0.0;           ///< of the specular lookups, those that followed a ray; 0 without any
-    std::uint64_t nonfinite = 0;            ///< samples left out
-    double truncated_fraction = 0.0;        ///< of the specular lookups, those cut at the depth bound
+    double traced_fraction = 0.0;     ///< of the specular lookups, those that followed a ray; 0 without any
+    std::uint64_t nonfinite = 0;      ///< samples left out
+    double truncated_fraction = 0.0;  ///< of the specular lookups, those cut at the depth bound
     Image image;
-    std::string image_file;                 ///< name of the .exr in the output folder; its .png lies beside it
+    std::string image_file;  ///< name of the .exr in the output folder; its .png lies beside it
     // For methods only:
-    Plane flip;                             ///< per-pixel FLIP against the reference
-    std::string error_map_file;             ///< name of the .png
+    Plane flip;                  ///< per-pixel FLIP against the reference
+    std::string error_map_file;  ///< name of the .png
     Metrics metrics;
-    Metrics metrics_reflective;             ///< over pixels whose first hit is reflective
+    Metrics metrics_reflective;  ///< over pixels whose first hit is reflective
 };
 
 /// Methods held against a reference.
 struct Comparison {
-    std::string scene;                      ///< path as given
-    std::string command;                    ///< the command line that made it
+    std::string scene;    ///< path as given
+    std::string command;  ///< the command line that made it
     DeviceSummary device;
     RenderSettings settings;
     LightMethod light = LightMethod::direct;
-    double exposure = 0.0;                  ///< stops, of the display images
+    double exposure = 0.0;  ///< stops, of the display images
     double import_seconds = 0.0;
-    double build_seconds = 0.0;             ///< BVH
-    std::uint64_t scene_bytes = 0;          ///< device memory of the scene
+    double build_seconds = 0.0;     ///< BVH
+    std::uint64_t scene_bytes = 0;  ///< device memory of the scene
     std::uint64_t triangles = 0;
     MethodResult reference;
-    double reference_noise = 0.0;           ///< relative standard error of the reference's pixels (NoiseEstimate)
-    double reference_noise_mse = 0.0;       ///< in the unit of Metrics::mse
+    double reference_noise = 0.0;      ///< relative standard error of the reference's pixels (NoiseEstimate)
+    double reference_noise_mse = 0.0;  ///< in the unit of Metrics::mse
     std::vector<MethodResult> methods;
     Mask reflective;
     std::uint64_t reflective_pixels = 0;
-    std::vector<std::string> notes;         ///< what was ignored, dropped or added on the way in
-    bool interrupted = false;               ///< some methods are missing or have fewer samples
+    std::vector<std::string> notes;  ///< what was ignored, dropped or added on the way in
+    bool interrupted = false;        ///< some methods are missing or have fewer samples
 };
 
 }  // namespace utsuri

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/comparison_json.h"
 
+#include "base/version.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-
-#include "base/version.h"
 
 namespace utsuri {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 Json settings_to_json(const MethodResult& result) {
     Json json = {{"samples", result.samples}};
@@ -48,10 +50,11 @@ Json result_to_json(const MethodResult& result) {
 }  // namespace
 
 Json metrics_to_json(const Metrics& metrics) {
-    return {{"mse", number(metrics.mse)},   {"rel_mse", number(metrics.rel_mse)}, {"mape", number(metrics.mape)},
-            {"psnr", number(metrics.psnr)}, {"ssim", number(metrics.ssim)},       {"flip", number(metrics.flip)},
-            {"max", number(metrics.max)},   {"p999", number(metrics.p999)},       {"pixels", metrics.pixels},
-            {"nonfinite", metrics.nonfinite}};
+    return {{"mse", number(metrics.mse)},   {"rel_mse", number(metrics.rel_mse)},
+            {"mape", number(metrics.mape)}, {"psnr", number(metrics.psnr)},
+            {"ssim", number(metrics.ssim)}, {"flip", number(metrics.flip)},
+            {"max", number(metrics.max)},   {"p999", number(metrics.p999)},
+            {"pixels", metrics.pixels},     {"nonfinite", metrics.nonfinite}};
 }
 
 Json device_to_json(const DeviceSummary& device) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "compare/comparison.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 namespace utsuri {
 

@@ -39,8 +39,8 @@ std::string metric_rows(const Comparison& comparison, const char* title, Metrics
     for (const MethodResult& result : comparison.methods) {
         const Metrics& m = result.*metrics;
         text += fmt::format(kRow, method_name(result.method), format_metric(m.rel_mse), format_metric(m.mape),
-                            format_metric(m.mse), format_metric(m.psnr), format_metric(m.ssim), format_metric(m.flip),
-                            format_metric(m.max), format_metric(m.p999), "");
+                            format_metric(m.mse), format_metric(m.psnr), format_metric(m.ssim),
+                            format_metric(m.flip), format_metric(m.max), format_metric(m.p999), "");
     }
     return text;
 }
@@ -77,23 +77,25 @@ std::string format_count(double count) {
 
 std::string comparison_table(const Comparison& comparison) {
     const Image& picture = comparison.reference.image;
-    std::string text = fmt::format("{} on {} ({})\n{} triangles, {} x {} pixels, {} of them reflective; mirrors "
-                                   "followed {} times at most\n\n",
-                                   comparison.scene, comparison.device.name, comparison.device.driver,
-                                   comparison.triangles, picture.width, picture.height, comparison.reflective_pixels,
-                                   comparison.settings.specular_depth);
-    text += fmt::format(kRow, "cost", "samples", "prepare", "compile", "frame", "a sample", "memory", "rays", "traced",
-                        "non-fin.");
+    std::string text = fmt::format(
+        "{} on {} ({})\n{} triangles, {} x {} pixels, {} of them reflective; mirrors "
+        "followed {} times at most\n\n",
+        comparison.scene, comparison.device.name, comparison.device.driver, comparison.triangles,
+        picture.width, picture.height, comparison.reflective_pixels, comparison.settings.specular_depth);
+    text += fmt::format(kRow, "cost", "samples", "prepare", "compile", "frame", "a sample", "memory", "rays",
+                        "traced", "non-fin.");
     text += cost_row("reference", comparison.reference);
-    for (const MethodResult& result : comparison.methods) text += cost_row(method_name(result.method), result);
+    for (const MethodResult& result : comparison.methods)
+        text += cost_row(method_name(result.method), result);
     text += metric_rows(comparison, "error, whole frame (light in units of the reference's mean)",
                         &MethodResult::metrics);
     if (comparison.reflective_pixels > 0) {
         text += metric_rows(comparison, "error, reflective pixels", &MethodResult::metrics_reflective);
     }
-    text += fmt::format("\nThe reference's own noise: MSE {:.2g}, standard error {:.2g} % of the mean. Errors near it "
-                        "tell nothing.\n",
-                        comparison.reference_noise_mse, 100.0 * comparison.reference_noise);
+    text += fmt::format(
+        "\nThe reference's own noise: MSE {:.2g}, standard error {:.2g} % of the mean. Errors near it "
+        "tell nothing.\n",
+        comparison.reference_noise_mse, 100.0 * comparison.reference_noise);
     return text;
 }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/method.h"
 
-#include <fmt/format.h>
-
-#include <array>
-
 #include "renderers/common/frame_camera.h"
 #include "renderers/ray_trace/ray_tracer.h"
 #include "renderers/reflection_map/map_renderer.h"
 
 #include "base/check.h"
 #include "base/error.h"
+
+#include <fmt/format.h>
+
+#include <array>
 
 namespace utsuri {
 namespace {
@@ -20,7 +20,9 @@ constexpr std::array kReflections = {ReflectionMethod::trace, ReflectionMethod::
 
 }  // namespace
 
-std::string_view to_string(LightMethod) { return "direct"; }
+std::string_view to_string(LightMethod) {
+    return "direct";
+}
 
 std::string_view to_string(ReflectionMethod reflection) {
     switch (reflection) {
@@ -47,26 +49,33 @@ ReflectionMethod parse_reflection(std::string_view name) {
     for (const ReflectionMethod reflection : kReflections) {
         if (name == to_string(reflection)) return reflection;
     }
-    throw UsageError("choose reflection", fmt::format("'{}'", name), "there are: trace, polygon-map, sphere-map");
+    throw UsageError("choose reflection", fmt::format("'{}'", name),
+                     "there are: trace, polygon-map, sphere-map");
 }
 
 std::vector<Method> all_methods(LightMethod light) {
     std::vector<Method> methods;
     methods.reserve(kReflections.size());
-    for (const ReflectionMethod reflection : kReflections) methods.push_back({light, reflection});
+    for (const ReflectionMethod reflection : kReflections)
+        methods.push_back({light, reflection});
     return methods;
 }
 
-bool uses_maps(const Method& method) { return method.reflection != ReflectionMethod::trace; }
+bool uses_maps(const Method& method) {
+    return method.reflection != ReflectionMethod::trace;
+}
 
-std::unique_ptr<Renderer> make_renderer(const Method& method, const RenderInput& input, const RenderSettings& settings,
-                                        const MapSettings& maps) {
+std::unique_ptr<Renderer> make_renderer(const Method& method, const RenderInput& input,
+                                        const RenderSettings& settings, const MapSettings& maps) {
     if (!uses_maps(method)) {
-        const auto camera = make_camera_info(input.camera, input.data.origin, settings.width, settings.height);
+        const auto camera =
+            make_camera_info(input.camera, input.data.origin, settings.width, settings.height);
         return std::make_unique<RayTracer>(input.device, input.scene, camera, settings);
     }
-    const MapKind kind = method.reflection == ReflectionMethod::polygon_map ? MapKind::polygon : MapKind::sphere;
-    return std::make_unique<MapRenderer>(input.device, input.data, input.scene, input.camera, kind, settings, maps);
+    const MapKind kind =
+        method.reflection == ReflectionMethod::polygon_map ? MapKind::polygon : MapKind::sphere;
+    return std::make_unique<MapRenderer>(input.device, input.data, input.scene, input.camera, kind, settings,
+                                         maps);
 }
 
 }  // namespace utsuri

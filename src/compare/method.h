@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/common/renderer.h"
+#include "renderers/reflection_map/reflection_maps.h"
+
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "renderers/common/renderer.h"
-#include "renderers/reflection_map/reflection_maps.h"
 
 namespace utsuri {
 
@@ -47,7 +47,7 @@ struct RenderInput {
     const Camera& camera;
 };
 
-std::unique_ptr<Renderer> make_renderer(const Method& method, const RenderInput& input, const RenderSettings& settings,
-                                        const MapSettings& maps);
+std::unique_ptr<Renderer> make_renderer(const Method& method, const RenderInput& input,
+                                        const RenderSettings& settings, const MapSettings& maps);
 
 }  // namespace utsuri

@@ -61,7 +61,7 @@ function columnFormat(kind, values) {
     const [size, name] = chooseUnit(kind, Math.max(0, ...present));
     const exponents = present.map((value) => exponentOf(value / size));
     const wanted = 2 - Math.min(2, ...exponents);
-    const decimals = isWhole(kind, size) ? 0 : Math.min(wanted, 4);
+    const decimals = isWhole(kind, size) ? 0 : Math.min(wanted, 3);
     const digits = (value) => {
         const text = decimals > 0 ? value.toFixed(decimals) : whole(value);
         return value !== 0 && Number(text) === 0 ? significant(value) : text;
@@ -77,8 +77,8 @@ const costColumns = [
     { title: "samples", kind: "one", value: (r) => r.settings.samples, hint: "of every pixel" },
     { title: "prepare", kind: "seconds", value: (r) => r.prepare_seconds, best: "least",
       hint: "capturing maps and the like, once, before the first frame; compiling excluded" },
-    { title: "compile", kind: "seconds", value: (r) => r.compile_seconds, best: "least",
-      hint: "compiling pipelines, once" },
+    { title: "compile", kind: "seconds", value: (r) => r.compile_seconds,
+      hint: "compiling pipelines, once; little if the driver has met them before, so nobody wins here" },
     { title: "frame", kind: "seconds", value: (r) => r.frame_seconds, best: "least",
       hint: "wall time of all samples together" },
     { title: "per sample", kind: "seconds", value: secondsPerSample, best: "least",

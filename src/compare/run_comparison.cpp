@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/run_comparison.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "renderers/common/aov.h"
 #include "renderers/common/frame_camera.h"
 
 #include "image/tone.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace utsuri {
 namespace {
@@ -29,7 +29,8 @@ struct Rendered {
 };
 
 Rendered render(const RenderInput& input, const Method& method, const RenderSettings& settings,
-                const MapSettings& maps, std::uint32_t samples, const std::string& title, Progress& progress) {
+                const MapSettings& maps, std::uint32_t samples, const std::string& title,
+                Progress& progress) {
     input.device.reset_peak_memory();
     const std::unique_ptr<Renderer> renderer = make_renderer(method, input, settings, maps);
     if (uses_maps(method)) progress.begin(fmt::format("{}, capturing maps", title));
@@ -65,7 +66,8 @@ void measure(const Comparison& comparison, MethodResult& result) {
     const Image& reference = comparison.reference.image;
     PerceptualMaps maps = compute_perceptual_maps(reference, result.image, settings);
     result.metrics = compute_metrics(reference, result.image, &maps, nullptr, settings);
-    result.metrics_reflective = compute_metrics(reference, result.image, &maps, &comparison.reflective, settings);
+    result.metrics_reflective =
+        compute_metrics(reference, result.image, &maps, &comparison.reflective, settings);
     result.flip = std::move(maps.flip);
 }
 
@@ -89,8 +91,9 @@ Comparison run_comparison(const RenderInput& input, const ComparisonSettings& se
     // The reference has samples of its own: with the methods' seed its errors would be theirs.
     RenderSettings reference_settings = settings.render;
     reference_settings.seed = ~settings.render.seed;
-    Rendered reference = render(input, {settings.light, ReflectionMethod::trace}, reference_settings, settings.maps,
-                                settings.reference_samples, "reference direct/trace", progress);
+    Rendered reference =
+        render(input, {settings.light, ReflectionMethod::trace}, reference_settings, settings.maps,
+               settings.reference_samples, "reference direct/trace", progress);
     if (reference.result.samples == 0) throw Interrupted();
     comparison.reference = std::move(reference.result);
     comparison.reference.image_file = "reference.exr";

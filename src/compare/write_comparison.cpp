@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/write_comparison.h"
 
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-
 #include "compare/comparison_json.h"
 #include "compare/report.h"
 
@@ -13,10 +9,14 @@
 #include "image/error_map.h"
 #include "image_io/image_io.h"
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 namespace utsuri {
 namespace {
 
-void write_pictures(const MethodResult& result, const Comparison& comparison, const std::filesystem::path& folder) {
+void write_pictures(const MethodResult& result, const Comparison& comparison,
+                    const std::filesystem::path& folder) {
     const ImageMetadata metadata = {{"Software", fmt::format("utsuri {}", kVersion)},
                                     {"utsuri:method", method_name(result.method)},
                                     {"utsuri:samples", fmt::format("{}", result.samples)},
@@ -24,14 +24,16 @@ void write_pictures(const MethodResult& result, const Comparison& comparison, co
     const std::filesystem::path exr = folder / result.image_file;
     write_exr(exr, result.image, ExrPrecision::single, metadata);
     write_png(std::filesystem::path(exr).replace_extension(".png"), result.image, comparison.exposure);
-    if (!result.error_map_file.empty()) write_png_coded(folder / result.error_map_file, error_map(result.flip));
+    if (!result.error_map_file.empty())
+        write_png_coded(folder / result.error_map_file, error_map(result.flip));
 }
 
 }  // namespace
 
 void write_comparison(const Comparison& comparison, const std::filesystem::path& folder) {
     write_pictures(comparison.reference, comparison, folder);
-    for (const MethodResult& result : comparison.methods) write_pictures(result, comparison, folder);
+    for (const MethodResult& result : comparison.methods)
+        write_pictures(result, comparison, folder);
     write_text_atomically(folder / "compare.json", comparison_to_json(comparison).dump(2) + "\n");
     write_text_atomically(folder / "report.html", make_report(comparison));
 }

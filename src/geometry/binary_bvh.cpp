@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/binary_bvh.h"
 
+#include "base/check.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <future>
 #include <numeric>
-
-#include "base/check.h"
 
 namespace utsuri {
 namespace {
@@ -22,17 +22,20 @@ struct Bin {
 };
 
 struct Split {
-    float cost = std::numeric_limits<float>::infinity();  ///< sum of half area times triangles over both sides
+    float cost =
+        std::numeric_limits<float>::infinity();  ///< sum of half area times triangles over both sides
     int axis = -1;
     int bin = 0;  ///< triangles in bins up to this one go left
 };
 
 class Builder {
   public:
-    Builder(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles, std::uint32_t max_depth)
+    Builder(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
+            std::uint32_t max_depth)
         : max_depth_(max_depth), boxes_(triangles.size()) {
         for (std::size_t i = 0; i < triangles.size(); ++i) {
-            for (int k = 0; k < 3; ++k) boxes_[i].extend(positions[triangles[i][k]]);
+            for (int k = 0; k < 3; ++k)
+                boxes_[i].extend(positions[triangles[i][k]]);
         }
         bvh_.order.resize(triangles.size());
         std::iota(bvh_.order.begin(), bvh_.order.end(), 0u);
@@ -66,8 +69,8 @@ class Builder {
         const std::uint32_t right = index + 2 * left_count;
         node.right = right;
         if (count >= kParallelTriangles && depth < 6) {
-            auto other = std::async(std::launch::async,
-                                    [=, this] { build_node(left, first, left_count, depth + 1); });
+            auto other =
+                std::async(std::launch::async, [=, this] { build_node(left, first, left_count, depth + 1); });
             build_node(right, first + left_count, count - left_count, depth + 1);
             other.get();
         } else {
@@ -76,11 +79,14 @@ class Builder {
         }
     }
 
-    /// Orders the triangles of a node into a left and a right side; returns how many are left, in [1, count - 1].
-    std::uint32_t partition(std::uint32_t first, std::uint32_t count, std::uint32_t depth, const Bounds& centroids) {
+    /// Orders the triangles of a node into a left and a right side; returns how many are left, in [1, count -
+    /// 1].
+    std::uint32_t partition(std::uint32_t first, std::uint32_t count, std::uint32_t depth,
+                            const Bounds& centroids) {
         const auto begin = bvh_.order.begin() + first;
         const auto levels_for_medians = static_cast<std::uint32_t>(std::bit_width(count - 1));
-        const Split split = depth + levels_for_medians < max_depth_ ? best_split(first, count, centroids) : Split{};
+        const Split split =
+            depth + levels_for_medians < max_depth_ ? best_split(first, count, centroids) : Split{};
         if (split.axis < 0) return split_at_median(first, count, centroids);
         const float lower = centroids.lower[split.axis];
         const float scale = bin_scale(centroids, split.axis);
@@ -92,7 +98,8 @@ class Builder {
 
     std::uint32_t split_at_median(std::uint32_t first, std::uint32_t count, const Bounds& centroids) {
         const glm::vec3 extent = centroids.extent();
-        const int axis = extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
+        const int axis =
+            extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
         const std::uint32_t left_count = count / 2;
         const auto begin = bvh_.order.begin() + first;
         std::nth_element(begin, begin + left_count, begin + count, [&](std::uint32_t a, std::uint32_t b) {
@@ -135,7 +142,8 @@ class Builder {
         for (int i = kBins - 1; i > 0; --i) {
             right.bounds.extend(bins[static_cast<std::size_t>(i)].bounds);
             right.count += bins[static_cast<std::size_t>(i)].count;
-            right_cost[static_cast<std::size_t>(i)] = right.bounds.half_area() * static_cast<float>(right.count);
+            right_cost[static_cast<std::size_t>(i)] =
+                right.bounds.half_area() * static_cast<float>(right.count);
         }
         Bin left;
         const std::uint32_t total = right.count + bins[0].count;

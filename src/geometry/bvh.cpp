@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/bvh.h"
 
-#include <bit>
-#include <cmath>
-
 #include "geometry/binary_bvh.h"
 #include "geometry/wide_bvh.h"
+
+#include <bit>
+#include <cmath>
 
 namespace utsuri {
 
@@ -47,8 +47,8 @@ SlotContent slot_content(const interop::BvhNode& node, std::uint32_t slot) {
     const std::uint32_t node_slots = node.origin_exponents.w >> 24;
     if ((node_slots >> slot & 1u) != 0) {
         content.is_node = true;
-        content.node = node.bases_meta.x +
-                       static_cast<std::uint32_t>(std::popcount(node_slots & ((1u << slot) - 1u)));
+        content.node =
+            node.bases_meta.x + static_cast<std::uint32_t>(std::popcount(node_slots & ((1u << slot) - 1u)));
     } else if (meta != 0) {
         content.first_triangle = node.bases_meta.y + (meta & 0x1fu);
         content.triangle_count = static_cast<std::uint32_t>(std::popcount(meta >> 5));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "interop/bvh.h"
+
 #include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "interop/bvh.h"
 
 namespace utsuri {
 

@@ -2,7 +2,6 @@
 #include "geometry/bvh_check.h"
 
 #include <fmt/format.h>
-
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -19,14 +18,15 @@ class Checker {
 
     std::string run(std::size_t triangle_count) {
         if (bvh_.triangles.size() != triangle_count || bvh_.order.size() != triangle_count) {
-            return fmt::format("{} triangles and {} order entries for {} input triangles", bvh_.triangles.size(),
-                               bvh_.order.size(), triangle_count);
+            return fmt::format("{} triangles and {} order entries for {} input triangles",
+                               bvh_.triangles.size(), bvh_.order.size(), triangle_count);
         }
         const double infinity = std::numeric_limits<double>::infinity();
         visit_node(0, {glm::dvec3(-infinity), glm::dvec3(infinity)}, 1);
         if (!problem_.empty()) return problem_;
         if (deepest_ != bvh_.depth || bvh_.depth > interop::BVH_MAX_DEPTH) {
-            return fmt::format("depth {} found, {} stated, {} allowed", deepest_, bvh_.depth, interop::BVH_MAX_DEPTH);
+            return fmt::format("depth {} found, {} stated, {} allowed", deepest_, bvh_.depth,
+                               interop::BVH_MAX_DEPTH);
         }
         return check_visits(triangle_count);
     }
@@ -44,7 +44,8 @@ class Checker {
         for (std::uint32_t slot = 0; slot < interop::BVH_WIDTH && problem_.empty(); ++slot) {
             const SlotContent content = slot_content(node, slot);
             if (!content.is_node && content.triangle_count == 0) continue;
-            // A grid may reach beyond the parent's box by its rounding; what counts is what both boxes let through.
+            // A grid may reach beyond the parent's box by its rounding; what counts is what both boxes let
+            // through.
             const ChildBox own = child_box(node, slot);
             const ChildBox box{glm::max(bounds.lower, own.lower), glm::min(bounds.upper, own.upper)};
             if (content.is_node) visit_node(content.node, box, depth + 1);
@@ -62,8 +63,9 @@ class Checker {
             for (int axis = 0; axis < 3; ++axis) {
                 const auto value = static_cast<double>(vertex[axis]);
                 if (value < box.lower[axis] || value > box.upper[axis]) {
-                    fail(fmt::format("triangle {} leaves its box below node {} on axis {}: {} not in [{}, {}]", index,
-                                     node, axis, value, box.lower[axis], box.upper[axis]));
+                    fail(
+                        fmt::format("triangle {} leaves its box below node {} on axis {}: {} not in [{}, {}]",
+                                    index, node, axis, value, box.lower[axis], box.upper[axis]));
                 }
             }
         }
@@ -77,7 +79,8 @@ class Checker {
         for (std::size_t i = 0; i < triangle_count; ++i) {
             if (triangle_visits_[i] != 1) return fmt::format("triangle {} is not reached", i);
             const std::uint32_t input = bvh_.order[i];
-            if (input >= triangle_count || seen[input] != 0) return fmt::format("order is no permutation at {}", i);
+            if (input >= triangle_count || seen[input] != 0)
+                return fmt::format("order is no permutation at {}", i);
             seen[input] = 1;
         }
         return {};
@@ -92,6 +95,8 @@ class Checker {
 
 }  // namespace
 
-std::string check_bvh(const Bvh& bvh, std::size_t triangle_count) { return Checker(bvh).run(triangle_count); }
+std::string check_bvh(const Bvh& bvh, std::size_t triangle_count) {
+    return Checker(bvh).run(triangle_count);
+}
 
 }  // namespace utsuri

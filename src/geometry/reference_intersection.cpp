@@ -15,8 +15,8 @@ bool hits_box(const ChildBox& box, const glm::dvec3& origin, const glm::dvec3& d
     double t_near = 0.0;
     double t_far = t_max;
     for (int axis = 0; axis < 3; ++axis) {
-        const double slack = kRelativeSlack * (std::abs(box.lower[axis]) + std::abs(box.upper[axis]) +
-                                               std::abs(origin[axis]));
+        const double slack =
+            kRelativeSlack * (std::abs(box.lower[axis]) + std::abs(box.upper[axis]) + std::abs(origin[axis]));
         const double lower = box.lower[axis] - slack - origin[axis];
         const double upper = box.upper[axis] + slack - origin[axis];
         if (direction[axis] == 0.0) {
@@ -34,8 +34,8 @@ bool hits_box(const ChildBox& box, const glm::dvec3& origin, const glm::dvec3& d
 }  // namespace
 
 std::optional<ReferenceHit> intersect_triangle_reference(const interop::BvhTriangle& triangle,
-                                                         const glm::dvec3& origin, const glm::dvec3& direction,
-                                                         double t_max) {
+                                                         const glm::dvec3& origin,
+                                                         const glm::dvec3& direction, double t_max) {
     const glm::dvec3 v0(triangle.v0);
     const glm::dvec3 edge1 = glm::dvec3(triangle.v1) - v0;
     const glm::dvec3 edge2 = glm::dvec3(triangle.v2) - v0;

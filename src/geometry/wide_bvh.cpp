@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/wide_bvh.h"
 
+#include "base/check.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-
-#include "base/check.h"
 
 namespace utsuri {
 namespace {
@@ -19,11 +19,13 @@ constexpr float kTriangleCost = 0.3f;
 constexpr float kNodeCost = 1.0f;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// For a subtree of the binary tree: the least cost of representing it by at most i roots, for i = 1 .. 7, and how.
+/// For a subtree of the binary tree: the least cost of representing it by at most i roots, for i = 1 .. 7,
+/// and how.
 struct SubtreeCost {
-    std::array<float, BVH_WIDTH> cost{};              ///< [i - 1]; the last entry is for the eight of a new node
-    std::array<std::uint8_t, BVH_WIDTH> left_roots{}; ///< roots given to the left child; 0: use one root fewer
-    bool leaf = false;                                ///< with one root: a leaf, else a node
+    std::array<float, BVH_WIDTH> cost{};  ///< [i - 1]; the last entry is for the eight of a new node
+    std::array<std::uint8_t, BVH_WIDTH>
+        left_roots{};   ///< roots given to the left child; 0: use one root fewer
+    bool leaf = false;  ///< with one root: a leaf, else a node
 };
 
 std::vector<SubtreeCost> subtree_costs(const BinaryBvh& binary) {
@@ -70,9 +72,10 @@ std::vector<SubtreeCost> subtree_costs(const BinaryBvh& binary) {
 /// Children of one wide node by slot; NONE where a slot is empty.
 using Slots = std::array<std::uint32_t, BVH_WIDTH>;
 
-/// Puts each child where rays visit it in about the right order: slot s has bit a set for the upper side of axis a, and
-/// the traversal takes slots in the order of s xor octant.
-Slots assign_slots(const BinaryBvh& binary, const Bounds& parent, const std::vector<std::uint32_t>& children) {
+/// Puts each child where rays visit it in about the right order: slot s has bit a set for the upper side of
+/// axis a, and the traversal takes slots in the order of s xor octant.
+Slots assign_slots(const BinaryBvh& binary, const Bounds& parent,
+                   const std::vector<std::uint32_t>& children) {
     const glm::vec3 parent_centre = parent.lower + parent.upper;
     Slots slots;
     slots.fill(interop::NONE);
@@ -86,7 +89,8 @@ Slots assign_slots(const BinaryBvh& binary, const Bounds& parent, const std::vec
             const glm::vec3 offset = (box.lower + box.upper) - parent_centre;
             for (std::uint32_t s = 0; s < BVH_WIDTH; ++s) {
                 if (slots[s] != interop::NONE) continue;
-                const float along = ((s & 1u) != 0 ? offset.x : -offset.x) + ((s & 2u) != 0 ? offset.y : -offset.y) +
+                const float along = ((s & 1u) != 0 ? offset.x : -offset.x) +
+                                    ((s & 2u) != 0 ? offset.y : -offset.y) +
                                     ((s & 4u) != 0 ? offset.z : -offset.z);
                 if (along > best || best_slot == interop::NONE) {
                     best = along;
@@ -114,20 +118,25 @@ QuantisedAxis quantise_axis(const BinaryBvh& binary, const Slots& slots, const B
     QuantisedAxis result;
     const double origin = static_cast<double>(parent.lower[axis]);
     const double extent = static_cast<double>(parent.upper[axis]) - origin;
-    // The smallest power of two with 255 cells covering the extent. Biased exponents below 1 would be denormal.
+    // The smallest power of two with 255 cells covering the extent. Biased exponents below 1 would be
+    // denormal.
     int exponent = extent > 0.0 ? std::ilogb(extent / kCells) : -126;
-    while (std::ldexp(kCells, exponent) < extent) ++exponent;
+    while (std::ldexp(kCells, exponent) < extent)
+        ++exponent;
     exponent = std::max(exponent, -126);
     result.exponent = static_cast<std::uint32_t>(exponent + 127);
     const double cell = std::ldexp(1.0, exponent);
     for (std::uint32_t s = 0; s < BVH_WIDTH; ++s) {
         if (slots[s] == interop::NONE) continue;
         const Bounds& box = binary.nodes[slots[s]].bounds;
-        // Differences of float32 values in float64 can round where exponents are far apart: step outwards until sure.
+        // Differences of float32 values in float64 can round where exponents are far apart: step outwards
+        // until sure.
         double lower = std::floor((static_cast<double>(box.lower[axis]) - origin) / cell);
         double upper = std::ceil((static_cast<double>(box.upper[axis]) - origin) / cell);
-        while (lower > 0.0 && origin + lower * cell > static_cast<double>(box.lower[axis])) lower -= 1.0;
-        while (upper < kCells && origin + upper * cell < static_cast<double>(box.upper[axis])) upper += 1.0;
+        while (lower > 0.0 && origin + lower * cell > static_cast<double>(box.lower[axis]))
+            lower -= 1.0;
+        while (upper < kCells && origin + upper * cell < static_cast<double>(box.upper[axis]))
+            upper += 1.0;
         result.lower[s] = static_cast<std::uint32_t>(std::clamp(lower, 0.0, kCells));
         result.upper[s] = static_cast<std::uint32_t>(std::clamp(upper, 0.0, kCells));
     }
@@ -136,7 +145,8 @@ QuantisedAxis quantise_axis(const BinaryBvh& binary, const Slots& slots, const B
 
 glm::uvec2 pack_bytes(const std::array<std::uint32_t, BVH_WIDTH>& bytes) {
     glm::uvec2 words(0u);
-    for (std::uint32_t s = 0; s < BVH_WIDTH; ++s) words[static_cast<int>(s / 4)] |= bytes[s] << (8 * (s % 4));
+    for (std::uint32_t s = 0; s < BVH_WIDTH; ++s)
+        words[static_cast<int>(s / 4)] |= bytes[s] << (8 * (s % 4));
     return words;
 }
 
@@ -169,7 +179,9 @@ class Widener {
         result_.nodes[wide_node] = make_node(node.bounds, slots, first_child);
 
         std::uint32_t next = first_child;
-        const auto is_node = [&](std::uint32_t child) { return child != interop::NONE && !costs_[child].leaf; };
+        const auto is_node = [&](std::uint32_t child) {
+            return child != interop::NONE && !costs_[child].leaf;
+        };
         result_.nodes.resize(result_.nodes.size() +
                              static_cast<std::size_t>(std::count_if(slots.begin(), slots.end(), is_node)));
         for (const std::uint32_t child : slots) {
@@ -180,7 +192,8 @@ class Widener {
     /// The subtrees that stand for `binary_node` when it may use `roots` of a node's slots.
     void collect(std::uint32_t binary_node, std::uint32_t roots, std::vector<std::uint32_t>& children) const {
         const SubtreeCost& cost = costs_[binary_node];
-        while (roots > 1 && cost.left_roots[roots - 1] == 0) --roots;
+        while (roots > 1 && cost.left_roots[roots - 1] == 0)
+            --roots;
         if (roots == 1 || binary_.nodes[binary_node].is_leaf()) {
             children.push_back(binary_node);
             return;
@@ -230,6 +243,8 @@ class Widener {
 
 }  // namespace
 
-WideBvh widen(const BinaryBvh& binary) { return Widener(binary).run(); }
+WideBvh widen(const BinaryBvh& binary) {
+    return Widener(binary).run();
+}
 
 }  // namespace utsuri

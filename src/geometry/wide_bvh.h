@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "geometry/binary_bvh.h"
+
+#include "interop/bvh.h"
+
 #include <cstdint>
 #include <vector>
-
-#include "geometry/binary_bvh.h"
-#include "interop/bvh.h"
 
 namespace utsuri {
 
@@ -17,8 +18,8 @@ struct WideBvh {
 };
 
 /// Joins the nodes of a binary BVH into nodes of up to eight children at the least expected cost, by dynamic
-/// programming over the binary tree (Ylitie et al. 2017, section 3), orders children by octant, and quantises their
-/// boxes outwards.
+/// programming over the binary tree (Ylitie et al. 2017, section 3), orders children by octant, and quantises
+/// their boxes outwards.
 WideBvh widen(const BinaryBvh& binary);
 
 }  // namespace utsuri

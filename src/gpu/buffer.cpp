@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/buffer.h"
 
+#include "base/check.h"
+#include "gpu/vulkan_call.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-
-#include "base/check.h"
-#include "gpu/vulkan_call.h"
 
 namespace utsuri {
 namespace {
@@ -19,8 +19,10 @@ constexpr std::uint64_t kStagingBytes = 32ull << 20;
 
 vk::raii::Buffer create_buffer(const Device& device, std::uint64_t bytes) {
     using Usage = vk::BufferUsageFlagBits;
-    return device.handle().createBuffer(
-        {{}, bytes, Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst, vk::SharingMode::eExclusive});
+    return device.handle().createBuffer({{},
+                                         bytes,
+                                         Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst,
+                                         vk::SharingMode::eExclusive});
 }
 
 struct Allocation {
@@ -46,9 +48,10 @@ Allocation allocate(const Device& device, const vk::raii::Buffer& buffer,
 
 /// Orders a transfer against the kernels before and after it.
 void barrier(const vk::raii::CommandBuffer& commands) {
-    const vk::MemoryBarrier2 everything(
-        vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite,
-        vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite);
+    const vk::MemoryBarrier2 everything(vk::PipelineStageFlagBits2::eAllCommands,
+                                        vk::AccessFlagBits2::eMemoryWrite,
+                                        vk::PipelineStageFlagBits2::eAllCommands,
+                                        vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite);
     commands.pipelineBarrier2(vk::DependencyInfo({}, everything));
 }
 
@@ -59,28 +62,34 @@ Buffer::Buffer(Device& device, std::uint64_t bytes, std::string name)
     UTSURI_CHECK_LT(0u, bytes);
     const std::string object = fmt::format("'{}' of {} bytes on {}", name_, bytes, device.summary().name);
     if (bytes > device.summary().storage_range_bytes) {
-        throw DeviceError("create buffer", object,
-                          fmt::format("a kernel on this device can see at most {} bytes of a buffer; use a smaller "
-                                      "scene or picture, or another device",
-                                      device.summary().storage_range_bytes));
+        throw DeviceError(
+            "create buffer", object,
+            fmt::format("a kernel on this device can see at most {} bytes of a buffer; use a smaller "
+                        "scene or picture, or another device",
+                        device.summary().storage_range_bytes));
     }
     vulkan_call("create buffer", object, [&] {
         buffer_ = create_buffer(device, bytes);
-        Allocation allocation =
-            allocate(device, *buffer_,
-                     {Memory::eDeviceLocal | Memory::eHostVisible | Memory::eHostCoherent | Memory::eHostCached,
-                      Memory::eDeviceLocal, vk::MemoryPropertyFlags{}});
+        Allocation allocation = allocate(
+            device, *buffer_,
+            {Memory::eDeviceLocal | Memory::eHostVisible | Memory::eHostCoherent | Memory::eHostCached,
+             Memory::eDeviceLocal, vk::MemoryPropertyFlags{}});
         memory_ = std::move(allocation.memory);
         allocated_ = allocation.bytes;
         host_visible_ = allocation.host_visible;
     });
     device.note_memory(static_cast<std::int64_t>(allocated_));
-    device.set_name(vk::ObjectType::eBuffer, reinterpret_cast<std::uint64_t>(static_cast<VkBuffer>(**buffer_)), name_);
+    device.set_name(vk::ObjectType::eBuffer,
+                    reinterpret_cast<std::uint64_t>(static_cast<VkBuffer>(**buffer_)), name_);
 }
 
 Buffer::Buffer(Buffer&& other) noexcept
-    : device_(other.device_), size_(other.size_), name_(std::move(other.name_)), buffer_(std::move(other.buffer_)),
-      memory_(std::move(other.memory_)), allocated_(std::exchange(other.allocated_, 0)),
+    : device_(other.device_),
+      size_(other.size_),
+      name_(std::move(other.name_)),
+      buffer_(std::move(other.buffer_)),
+      memory_(std::move(other.memory_)),
+      allocated_(std::exchange(other.allocated_, 0)),
       host_visible_(other.host_visible_) {}
 
 Buffer& Buffer::operator=(Buffer&& other) noexcept {
@@ -97,7 +106,9 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
     return *this;
 }
 
-Buffer::~Buffer() { release(); }
+Buffer::~Buffer() {
+    release();
+}
 
 void Buffer::release() noexcept {
     if (allocated_ != 0) device_->note_memory(-static_cast<std::int64_t>(std::exchange(allocated_, 0)));
@@ -115,8 +126,7 @@ void Buffer::upload(std::span<const std::byte> bytes, std::uint64_t offset) {
         }
         const std::uint64_t piece = std::min<std::uint64_t>(bytes.size(), kStagingBytes);
         const vk::raii::Buffer staging = create_buffer(*device_, piece);
-        const Allocation memory =
-            allocate(*device_, staging, {Memory::eHostVisible | Memory::eHostCoherent});
+        const Allocation memory = allocate(*device_, staging, {Memory::eHostVisible | Memory::eHostCoherent});
         for (std::uint64_t done = 0; done < bytes.size(); done += piece) {
             const std::uint64_t now = std::min<std::uint64_t>(piece, bytes.size() - done);
             std::memcpy(memory.memory.mapMemory(0, now), bytes.data() + done, now);

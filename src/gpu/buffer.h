@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gpu/device.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -8,8 +10,6 @@
 #include <string>
 #include <type_traits>
 #include <vector>
-
-#include "gpu/device.h"
 
 namespace utsuri {
 
@@ -55,8 +55,8 @@ class Buffer {
     bool host_visible_ = false;
 };
 
-/// A buffer that holds the given records. Without records it holds one zeroed record, because Vulkan has no empty
-/// buffers.
+/// A buffer that holds the given records. Without records it holds one zeroed record, because Vulkan has no
+/// empty buffers.
 template <typename Record>
 Buffer make_buffer(Device& device, std::span<const Record> records, std::string name) {
     static_assert(std::is_trivially_copyable_v<Record>);

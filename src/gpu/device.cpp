@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/device.h"
 
+#include "gpu/vulkan_call.h"
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
-
-#include "gpu/vulkan_call.h"
 
 namespace utsuri {
 namespace {
@@ -27,7 +27,8 @@ vk::raii::Device create_device(const vk::raii::PhysicalDevice& physical, std::ui
     v12.scalarBlockLayout = VK_TRUE;
     vk::PhysicalDeviceVulkan13Features v13;
     v13.synchronization2 = VK_TRUE;
-    // Every Vulkan 1.3 device has it; the kernels' workgroup sizes, which are specialization constants, need it.
+    // Every Vulkan 1.3 device has it; the kernels' workgroup sizes, which are specialization constants, need
+    // it.
     v13.maintenance4 = VK_TRUE;
     const vk::StructureChain chain(vk::DeviceCreateInfo({}, queue, {}, extensions), v12, v13);
     return {physical, chain.get<vk::DeviceCreateInfo>()};
@@ -37,7 +38,8 @@ vk::raii::Device create_device(const vk::raii::PhysicalDevice& physical, std::ui
 
 std::optional<std::uint32_t> find_compute_family(const std::vector<vk::QueueFamilyProperties>& families) {
     for (std::uint32_t i = 0; i < families.size(); ++i) {
-        if ((families[i].queueFlags & vk::QueueFlagBits::eCompute) && families[i].timestampValidBits > 0) return i;
+        if ((families[i].queueFlags & vk::QueueFlagBits::eCompute) && families[i].timestampValidBits > 0)
+            return i;
     }
     return std::nullopt;
 }
@@ -52,8 +54,7 @@ Device::Device(const VulkanInstance& instance, std::string_view wanted)
         const std::uint32_t family = find_compute_family(families).value();
         const std::uint32_t bits = families[family].timestampValidBits;
         timestamp_mask_ = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
-        timestamp_seconds_ =
-            static_cast<double>(physical_->getProperties().limits.timestampPeriod) * 1e-9;
+        timestamp_seconds_ = static_cast<double>(physical_->getProperties().limits.timestampPeriod) * 1e-9;
         device_ = create_device(*physical_, family);
         queue_ = device_->getQueue(family, 0);
         pool_ = device_->createCommandPool({vk::CommandPoolCreateFlagBits::eTransient, family});
@@ -62,7 +63,8 @@ Device::Device(const VulkanInstance& instance, std::string_view wanted)
     });
 }
 
-double Device::run(std::string_view operation, const std::function<void(const vk::raii::CommandBuffer&)>& record) {
+double Device::run(std::string_view operation,
+                   const std::function<void(const vk::raii::CommandBuffer&)>& record) {
     return vulkan_call(operation, summary_.name, [&] {
         vk::raii::CommandBuffers buffers(*device_, {**pool_, vk::CommandBufferLevel::ePrimary, 1});
         const vk::raii::CommandBuffer& commands = buffers.front();
@@ -85,7 +87,8 @@ double Device::run(std::string_view operation, const std::function<void(const vk
     });
 }
 
-std::optional<std::uint32_t> Device::memory_type(std::uint32_t type_bits, vk::MemoryPropertyFlags required) const {
+std::optional<std::uint32_t> Device::memory_type(std::uint32_t type_bits,
+                                                 vk::MemoryPropertyFlags required) const {
     for (std::uint32_t i = 0; i < memory_properties_.memoryTypeCount; ++i) {
         if ((type_bits >> i & 1u) != 0 &&
             (memory_properties_.memoryTypes[i].propertyFlags & required) == required) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gpu/device_selection.h"
+#include "gpu/vulkan_instance.h"
+
 #include <vulkan/vulkan_raii.hpp>
 
 #include <cstdint>
@@ -9,9 +12,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "gpu/device_selection.h"
-#include "gpu/vulkan_instance.h"
 
 namespace utsuri {
 
@@ -24,8 +24,8 @@ struct MemoryUsage {
     std::uint64_t peak = 0;
 };
 
-/// A logical device with one compute queue. Work is submitted and waited for, so nothing is ever in flight when a call
-/// returns. Not copyable or movable: every buffer and kernel refers to it. One thread at a time.
+/// A logical device with one compute queue. Work is submitted and waited for, so nothing is ever in flight
+/// when a call returns. Not copyable or movable: every buffer and kernel refers to it. One thread at a time.
 class Device {
   public:
     /// @param wanted see choose_device()
@@ -61,8 +61,8 @@ class Device {
     std::optional<vk::raii::PhysicalDevice> physical_;
     vk::PhysicalDeviceMemoryProperties memory_properties_;
     bool debug_names_ = false;
-    double timestamp_seconds_ = 0.0;         ///< of one tick
-    std::uint64_t timestamp_mask_ = 0;       ///< valid bits
+    double timestamp_seconds_ = 0.0;    ///< of one tick
+    std::uint64_t timestamp_mask_ = 0;  ///< valid bits
     std::optional<vk::raii::Device> device_;
     std::optional<vk::raii::Queue> queue_;
     std::optional<vk::raii::CommandPool> pool_;

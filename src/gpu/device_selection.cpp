@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/device_selection.h"
 
+#include "base/error.h"
+#include "gpu/device.h"
+#include "gpu/vulkan_call.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <optional>
-
-#include "base/error.h"
-#include "gpu/device.h"
-#include "gpu/vulkan_call.h"
 
 namespace utsuri {
 namespace {
@@ -31,7 +31,8 @@ std::string kind_name(vk::PhysicalDeviceType type) {
 }
 
 int speed_rank(const DeviceSummary& device) {
-    const std::vector<std::string> fastest_first = {"discrete GPU", "integrated GPU", "virtual GPU", "CPU", "other"};
+    const std::vector<std::string> fastest_first = {"discrete GPU", "integrated GPU", "virtual GPU", "CPU",
+                                                    "other"};
     return static_cast<int>(std::find(fastest_first.begin(), fastest_first.end(), device.kind) -
                             fastest_first.begin());
 }
@@ -61,8 +62,9 @@ std::vector<std::string> missing_features(const vk::raii::PhysicalDevice& device
 }
 
 DeviceSummary summarise(const vk::raii::PhysicalDevice& device, std::size_t index) {
-    const auto properties = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties,
-                                                  vk::PhysicalDeviceSubgroupProperties>();
+    const auto properties =
+        device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties,
+                              vk::PhysicalDeviceSubgroupProperties>();
     const auto& base = properties.get<vk::PhysicalDeviceProperties2>().properties;
     const auto& driver = properties.get<vk::PhysicalDeviceDriverProperties>();
     DeviceSummary summary;
@@ -70,8 +72,8 @@ DeviceSummary summarise(const vk::raii::PhysicalDevice& device, std::size_t inde
     summary.name = base.deviceName.data();
     summary.kind = kind_name(base.deviceType);
     summary.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
-    summary.api = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(base.apiVersion), VK_API_VERSION_MINOR(base.apiVersion),
-                              VK_API_VERSION_PATCH(base.apiVersion));
+    summary.api = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(base.apiVersion),
+                              VK_API_VERSION_MINOR(base.apiVersion), VK_API_VERSION_PATCH(base.apiVersion));
     summary.storage_range_bytes = base.limits.maxStorageBufferRange;
     summary.subgroup_size = properties.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
     const auto memory = device.getMemoryProperties();
@@ -87,8 +89,9 @@ DeviceSummary summarise(const vk::raii::PhysicalDevice& device, std::size_t inde
 std::string describe(const std::vector<DeviceSummary>& devices) {
     std::string text;
     for (const DeviceSummary& device : devices) {
-        text += fmt::format("\n  {}: {} ({}){}", device.index, device.name, device.kind,
-                            device.usable() ? "" : fmt::format(", lacks {}", fmt::join(device.missing, ", ")));
+        text +=
+            fmt::format("\n  {}: {} ({}){}", device.index, device.name, device.kind,
+                        device.usable() ? "" : fmt::format(", lacks {}", fmt::join(device.missing, ", ")));
     }
     return text;
 }
@@ -98,10 +101,11 @@ std::vector<DeviceSummary> matching(const std::vector<DeviceSummary>& devices, s
     const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
     const bool is_index = error == std::errc() && end == wanted.data() + wanted.size();
     std::vector<DeviceSummary> result;
-    std::copy_if(devices.begin(), devices.end(), std::back_inserter(result), [&](const DeviceSummary& device) {
-        return is_index ? device.index == index
-                        : lower_case(device.name).find(lower_case(wanted)) != std::string::npos;
-    });
+    std::copy_if(devices.begin(), devices.end(), std::back_inserter(result),
+                 [&](const DeviceSummary& device) {
+                     return is_index ? device.index == index
+                                     : lower_case(device.name).find(lower_case(wanted)) != std::string::npos;
+                 });
     return result;
 }
 
@@ -111,7 +115,8 @@ std::vector<DeviceSummary> list_devices(const VulkanInstance& instance) {
     std::vector<DeviceSummary> result;
     try {
         const vk::raii::PhysicalDevices devices(instance.handle());
-        for (std::size_t i = 0; i < devices.size(); ++i) result.push_back(summarise(devices[i], i));
+        for (std::size_t i = 0; i < devices.size(); ++i)
+            result.push_back(summarise(devices[i], i));
     } catch (const vk::SystemError&) {
         // The loader reports "no driver" as a failed initialization: that is an empty list.
         return {};
@@ -128,8 +133,8 @@ DeviceSummary choose_device(const VulkanInstance& instance, std::string_view wan
         const std::vector<DeviceSummary> found = matching(devices, wanted);
         if (found.size() != 1) {
             throw DeviceError("choose Vulkan device", fmt::format("'{}'", wanted),
-                              fmt::format("{} devices fit; give an index or a part of one name:{}", found.size(),
-                                          describe(devices)));
+                              fmt::format("{} devices fit; give an index or a part of one name:{}",
+                                          found.size(), describe(devices)));
         }
         if (!found.front().usable()) {
             throw DeviceError("use Vulkan device", fmt::format("'{}'", found.front().name),

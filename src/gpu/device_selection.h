@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gpu/vulkan_instance.h"
+
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "gpu/vulkan_instance.h"
 
 namespace utsuri {
 
 /// What a physical device is and whether it can run the kernels.
 struct DeviceSummary {
-    std::size_t index = 0;         ///< position in the loader's list; what --device takes
+    std::size_t index = 0;  ///< position in the loader's list; what --device takes
     std::string name;
-    std::string kind;              ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
-    std::string driver;            ///< name and version as the driver tells them
-    std::string api;               ///< highest Vulkan version, for example "1.3.230"
-    std::uint64_t memory_bytes = 0;               ///< of the largest device-local heap
-    std::uint64_t storage_range_bytes = 0;        ///< largest buffer a kernel can see
+    std::string kind;                ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
+    std::string driver;              ///< name and version as the driver tells them
+    std::string api;                 ///< highest Vulkan version, for example "1.3.230"
+    std::uint64_t memory_bytes = 0;  ///< of the largest device-local heap
+    std::uint64_t storage_range_bytes = 0;  ///< largest buffer a kernel can see
     std::uint32_t subgroup_size = 0;
-    std::vector<std::string> missing;             ///< what the kernels need and this device lacks, by name
+    std::vector<std::string> missing;  ///< what the kernels need and this device lacks, by name
 
     [[nodiscard]] bool usable() const { return missing.empty(); }
 };
@@ -28,9 +28,11 @@ struct DeviceSummary {
 std::vector<DeviceSummary> list_devices(const VulkanInstance& instance);
 
 /// The device to use.
-/// @param wanted an index, or a part of a name without regard to case; empty takes the usable device of the fastest
+/// @param wanted an index, or a part of a name without regard to case; empty takes the usable device of the
+/// fastest
 ///               kind (discrete, integrated, virtual, CPU), the first of its kind
-/// @throws DeviceError if there is none, it is not usable, or `wanted` fits none or several; the text lists devices
+/// @throws DeviceError if there is none, it is not usable, or `wanted` fits none or several; the text lists
+/// devices
 DeviceSummary choose_device(const VulkanInstance& instance, std::string_view wanted);
 
 }  // namespace utsuri

@@ -5,8 +5,9 @@
 
 namespace utsuri {
 
-/// Decides how much work goes into the next dispatch, so that each takes about `seconds`: well under the time after
-/// which drivers reset a device (2 s on Windows), and short enough for progress and Ctrl-C to be prompt.
+/// Decides how much work goes into the next dispatch, so that each takes about `seconds`: well under the time
+/// after which drivers reset a device (2 s on Windows), and short enough for progress and Ctrl-C to be
+/// prompt.
 class DispatchBudget {
   public:
     explicit DispatchBudget(double seconds = 0.1) : seconds_(seconds) {}

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernel.h"
 
-#include <fmt/format.h>
-
 #include "base/check.h"
 #include "gpu/spirv.h"
 #include "gpu/vulkan_call.h"
 
+#include <fmt/format.h>
+
 namespace utsuri {
 namespace {
 
-vk::raii::DescriptorSetLayout create_set_layout(const Device& device, const std::vector<std::uint32_t>& bindings) {
+vk::raii::DescriptorSetLayout create_set_layout(const Device& device,
+                                                const std::vector<std::uint32_t>& bindings) {
     std::vector<vk::DescriptorSetLayoutBinding> entries;
     entries.reserve(bindings.size());
     for (const std::uint32_t binding : bindings) {
-        entries.emplace_back(binding, vk::DescriptorType::eStorageBuffer, 1, vk::ShaderStageFlagBits::eCompute);
+        entries.emplace_back(binding, vk::DescriptorType::eStorageBuffer, 1,
+                             vk::ShaderStageFlagBits::eCompute);
     }
     return device.handle().createDescriptorSetLayout({{}, entries});
 }
@@ -27,8 +29,9 @@ vk::raii::PipelineLayout create_layout(const Device& device, const vk::raii::Des
     return device.handle().createPipelineLayout(info);
 }
 
-vk::raii::Pipeline create_pipeline(const Device& device, const std::string& name, std::span<const std::uint32_t> spirv,
-                                   const Specialization& specialization, const vk::raii::PipelineLayout& layout) {
+vk::raii::Pipeline create_pipeline(const Device& device, const std::string& name,
+                                   std::span<const std::uint32_t> spirv, const Specialization& specialization,
+                                   const vk::raii::PipelineLayout& layout) {
     std::vector<vk::SpecializationMapEntry> entries;
     std::vector<std::uint32_t> values;
     for (const std::uint32_t id : spirv_specialization_ids(spirv)) {
@@ -42,10 +45,11 @@ vk::raii::Pipeline create_pipeline(const Device& device, const std::string& name
                                            values.size() * sizeof(std::uint32_t), values.data());
     const vk::raii::ShaderModule module =
         device.handle().createShaderModule({{}, spirv.size_bytes(), spirv.data()});
-    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &constants);
+    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
+                                                  &constants);
     vk::raii::Pipeline pipeline = device.handle().createComputePipeline(nullptr, {{}, stage, *layout});
-    device.set_name(vk::ObjectType::ePipeline, reinterpret_cast<std::uint64_t>(static_cast<VkPipeline>(*pipeline)),
-                    name);
+    device.set_name(vk::ObjectType::ePipeline,
+                    reinterpret_cast<std::uint64_t>(static_cast<VkPipeline>(*pipeline)), name);
     return pipeline;
 }
 
@@ -53,11 +57,17 @@ vk::raii::Pipeline create_pipeline(const Device& device, const std::string& name
 
 Kernel::Kernel(Device& device, std::string name, std::span<const std::uint32_t> spirv,
                const Specialization& specialization, std::uint32_t push_bytes)
-    : device_(&device), name_(std::move(name)), push_bytes_(push_bytes), binding_numbers_(spirv_bindings(spirv)),
-      set_layout_(vulkan_call("create kernel", name_, [&] { return create_set_layout(device, binding_numbers_); })),
-      layout_(vulkan_call("create kernel", name_, [&] { return create_layout(device, set_layout_, push_bytes); })),
+    : device_(&device),
+      name_(std::move(name)),
+      push_bytes_(push_bytes),
+      binding_numbers_(spirv_bindings(spirv)),
+      set_layout_(
+          vulkan_call("create kernel", name_, [&] { return create_set_layout(device, binding_numbers_); })),
+      layout_(vulkan_call("create kernel", name_,
+                          [&] { return create_layout(device, set_layout_, push_bytes); })),
       pipeline_(vulkan_call("create kernel", name_,
-                            [&] { return create_pipeline(device, name_, spirv, specialization, layout_); })) {}
+                            [&] { return create_pipeline(device, name_, spirv, specialization, layout_); })) {
+}
 
 BindingSet Kernel::bind(const Bindings& buffers) const {
     return vulkan_call("bind buffers of kernel", name_, [&] {
@@ -72,7 +82,8 @@ BindingSet Kernel::bind(const Bindings& buffers) const {
         for (const std::uint32_t binding : binding_numbers_) {
             const auto found = buffers.find(binding);
             if (found == buffers.end()) {
-                fail_check(__FILE__, __LINE__, fmt::format("kernel {} has no buffer for binding {}", name_, binding));
+                fail_check(__FILE__, __LINE__,
+                           fmt::format("kernel {} has no buffer for binding {}", name_, binding));
             }
             infos.emplace_back(found->second->handle(), 0, VK_WHOLE_SIZE);
             writes.emplace_back(*sets.front(), binding, 0, 1, vk::DescriptorType::eStorageBuffer, nullptr,
@@ -93,9 +104,9 @@ void Kernel::dispatch_bytes(const vk::raii::CommandBuffer& commands, const Bindi
     commands.pipelineBarrier2(vk::DependencyInfo({}, after_previous));
     commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_, 0, bindings.handle(), {});
-    commands.pushConstants<std::byte>(*layout_, vk::ShaderStageFlagBits::eCompute, 0,
-                                      vk::ArrayProxy<const std::byte>(static_cast<std::uint32_t>(push.size()),
-                                                                      push.data()));
+    commands.pushConstants<std::byte>(
+        *layout_, vk::ShaderStageFlagBits::eCompute, 0,
+        vk::ArrayProxy<const std::byte>(static_cast<std::uint32_t>(push.size()), push.data()));
     commands.dispatch(groups, 1, 1);
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gpu/buffer.h"
+#include "gpu/device.h"
+
 #include <map>
 #include <span>
 #include <string>
-
-#include "gpu/buffer.h"
-#include "gpu/device.h"
 
 namespace utsuri {
 
@@ -28,8 +28,8 @@ class BindingSet {
     vk::raii::DescriptorSet set_;
 };
 
-/// A compute pipeline made from embedded SPIR-V. Its layout follows from the module: storage buffers in set 0, one
-/// push constant block. Move-only.
+/// A compute pipeline made from embedded SPIR-V. Its layout follows from the module: storage buffers in set
+/// 0, one push constant block. Move-only.
 class Kernel {
   public:
     /// @param push_bytes size of the push constant block, 0 for none, at most 128

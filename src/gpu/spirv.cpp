@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/spirv.h"
 
-#include <set>
-
 #include "base/check.h"
+
+#include <set>
 
 namespace utsuri {
 namespace {
@@ -15,7 +15,8 @@ constexpr std::uint32_t kSpecId = 1;
 constexpr std::uint32_t kBinding = 33;
 constexpr std::size_t kHeaderWords = 5;
 
-std::vector<std::uint32_t> decoration_values(std::span<const std::uint32_t> module, std::uint32_t decoration) {
+std::vector<std::uint32_t> decoration_values(std::span<const std::uint32_t> module,
+                                             std::uint32_t decoration) {
     std::set<std::uint32_t> values;
     for (const SpirvDecoration& found : spirv_decorations(module)) {
         if (found.decoration == decoration) values.insert(found.value);
@@ -35,7 +36,8 @@ std::vector<SpirvDecoration> spirv_decorations(std::span<const std::uint32_t> mo
         if (operation == kOpDecorate) {
             result.push_back({module[at + 1], -1, module[at + 2], words > 3 ? module[at + 3] : 0});
         } else if (operation == kOpMemberDecorate) {
-            result.push_back({module[at + 1], module[at + 2], module[at + 3], words > 4 ? module[at + 4] : 0});
+            result.push_back(
+                {module[at + 1], module[at + 2], module[at + 3], words > 4 ? module[at + 4] : 0});
         }
         at += words;
     }

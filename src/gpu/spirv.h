@@ -11,8 +11,8 @@ namespace utsuri {
 struct SpirvDecoration {
     std::uint32_t target = 0;
     std::int64_t member = -1;
-    std::uint32_t decoration = 0;   ///< for example 33 Binding, 35 Offset, 42 NoContraction
-    std::uint32_t value = 0;        ///< first literal, 0 without one
+    std::uint32_t decoration = 0;  ///< for example 33 Binding, 35 Offset, 42 NoContraction
+    std::uint32_t value = 0;       ///< first literal, 0 without one
 };
 
 /// All decorations of a module, in order.

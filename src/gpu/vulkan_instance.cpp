@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/vulkan_instance.h"
 
+#include "gpu/vulkan_call.h"
+
 #include <algorithm>
 #include <cstring>
-
-#include "gpu/vulkan_call.h"
 
 namespace utsuri {
 namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
-VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                          VkDebugUtilsMessageTypeFlagsEXT,
                                           const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
     static_cast<ValidationMessages*>(user)->add(data->pMessage != nullptr ? data->pMessage : "(no text)");
     return VK_FALSE;
@@ -20,8 +21,11 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
 vk::DebugUtilsMessengerCreateInfoEXT messenger_info(ValidationMessages* messages) {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-    return vk::DebugUtilsMessengerCreateInfoEXT{{}, Severity::eWarning | Severity::eError,
-                                                Type::eValidation | Type::ePerformance, on_message, messages};
+    return vk::DebugUtilsMessengerCreateInfoEXT{{},
+                                                Severity::eWarning | Severity::eError,
+                                                Type::eValidation | Type::ePerformance,
+                                                on_message,
+                                                messages};
 }
 
 bool has_extension(const std::vector<vk::ExtensionProperties>& available, const char* name) {
@@ -39,9 +43,10 @@ vk::raii::Instance create_instance(const vk::raii::Context& context, const vk::I
         } catch (const vk::IncompatibleDriverError&) {
             throw DeviceError(kOperation, "", kNoDriver);
         } catch (const vk::LayerNotPresentError&) {
-            throw DeviceError(kOperation, kValidationLayer,
-                              "the layer is not installed; install it (Debian package vulkan-validationlayers) or turn "
-                              "validation off");
+            throw DeviceError(
+                kOperation, kValidationLayer,
+                "the layer is not installed; install it (Debian package vulkan-validationlayers) or turn "
+                "validation off");
         }
     });
 }
@@ -74,9 +79,11 @@ VulkanInstance::VulkanInstance(Validation validation) {
 
     const vk::ApplicationInfo application("utsuri", 1, "utsuri", 1, VK_API_VERSION_1_3);
     const vk::InstanceCreateInfo info(flags, &application, layers, enabled);
-    const vk::ValidationFeatureEnableEXT synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
-    vk::StructureChain<vk::InstanceCreateInfo, vk::DebugUtilsMessengerCreateInfoEXT, vk::ValidationFeaturesEXT> chain(
-        info, messenger_info(messages_.get()), vk::ValidationFeaturesEXT(synchronization));
+    const vk::ValidationFeatureEnableEXT synchronization =
+        vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
+    vk::StructureChain<vk::InstanceCreateInfo, vk::DebugUtilsMessengerCreateInfoEXT,
+                       vk::ValidationFeaturesEXT>
+        chain(info, messenger_info(messages_.get()), vk::ValidationFeaturesEXT(synchronization));
     if (validation == Validation::off || !debug_utils_) {
         chain.unlink<vk::DebugUtilsMessengerCreateInfoEXT>();
         chain.unlink<vk::ValidationFeaturesEXT>();

@@ -9,8 +9,8 @@
 
 namespace utsuri {
 
-/// A picture of linear Rec.709 values, row-major, top row first. For rendered pictures a value is luminance in
-/// cd/m2 per channel; any finite float is valid, negative ones too.
+/// A picture of linear Rec.709 values, row-major, top row first. For rendered pictures a value is luminance
+/// in cd/m2 per channel; any finite float is valid, negative ones too.
 struct Image {
     std::uint32_t width = 0;
     std::uint32_t height = 0;

@@ -36,10 +36,10 @@ struct MetricSettings {
     double epsilon = 0.01;
     /// Exposure in stops of the display-coded pictures (psnr, ssim, low dynamic range FLIP); auto_exposure of
     /// the reference when empty.
-    std::optional<double> exposure;
+    std::optional<double> exposure{};
     /// HDR-FLIP if true, else LDR-FLIP at `exposure`.
     bool flip_hdr = true;
-    FlipSettings flip;
+    FlipSettings flip{};
 };
 
 /// The maps that ssim and flip average, whole frame.

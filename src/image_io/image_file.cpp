@@ -2,6 +2,7 @@
 #include "image_io/image_file.h"
 
 #include "base/error.h"
+#include "image_io/file_structure.h"
 
 #include <fmt/format.h>
 
@@ -71,7 +72,10 @@ std::string_view format_of(std::span<const std::byte> bytes) {
 
 ImageFile::ImageFile(std::span<const std::byte> bytes, std::string_view format, std::string operation,
                      std::string object)
-    : operation_(std::move(operation)), object_(std::move(object)), source_(bytes.data(), bytes.size()) {
+    : operation_(std::move(operation)),
+      object_(std::move(object)),
+      bytes_(checked(bytes, format)),
+      source_(bytes_.data(), bytes_.size()) {
     prepare_image_library();
     input_ = OIIO::ImageInput::create(std::string(format));
     if (!input_)
@@ -85,10 +89,18 @@ ImageFile::ImageFile(std::span<const std::byte> bytes, std::string_view format, 
         fail(fmt::format("damaged or cut short, expected a whole {} file ({})", format,
                          one_line(input_->geterror())));
     }
-    check_size(bytes.size());
+    check_size();
 }
 
-void ImageFile::check_size(std::size_t file_bytes) const {
+std::span<const std::byte> ImageFile::checked(std::span<const std::byte> bytes, std::string_view format) {
+    std::string damage;
+    if (format == "png") damage = check_png(bytes, essential_);
+    if (format == "jpeg") damage = check_jpeg(bytes);
+    if (!damage.empty()) fail(fmt::format("damaged or cut short: {}", damage));
+    return format == "png" ? std::span<const std::byte>(essential_) : bytes;
+}
+
+void ImageFile::check_size() const {
     if (spec_.deep || spec_.depth > 1) fail("deep or volumetric, expected a flat picture");
     if (spec_.width < 1 || spec_.height < 1 || spec_.nchannels < 1) fail("holds no pixels");
     const std::int64_t pixels = std::int64_t{spec_.width} * spec_.height;
@@ -96,9 +108,9 @@ void ImageFile::check_size(std::size_t file_bytes) const {
         fail(fmt::format("{} x {} pixels, expected at most {} a side and {} in all", spec_.width,
                          spec_.height, kMaxSide, kMaxPixels));
     }
-    if (pixels / kMaxExpansion > static_cast<std::int64_t>(file_bytes)) {
+    if (pixels / kMaxExpansion > static_cast<std::int64_t>(bytes_.size())) {
         fail(fmt::format("{} x {} pixels cannot be in {} bytes: damaged or cut short", spec_.width,
-                         spec_.height, file_bytes));
+                         spec_.height, bytes_.size()));
     }
 }
 

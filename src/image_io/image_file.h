@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace utsuri {
 
@@ -37,10 +38,15 @@ class ImageFile {
     [[noreturn]] void fail(std::string_view problem) const;
 
   private:
-    void check_size(std::size_t file_bytes) const;
+    /// The bytes to decode, checked where the decoder's own check is too weak or too loud.
+    [[nodiscard]] std::span<const std::byte> checked(std::span<const std::byte> bytes,
+                                                     std::string_view format);
+    void check_size() const;
 
     std::string operation_;
     std::string object_;
+    std::vector<std::byte> essential_;  ///< a PNG without the chunks that do not decide its pixels
+    std::span<const std::byte> bytes_;
     OIIO::Filesystem::IOMemReader source_;
     std::unique_ptr<OIIO::ImageInput> input_;
     OIIO::ImageSpec spec_;

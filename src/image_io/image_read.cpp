@@ -42,7 +42,8 @@ void read_colours(ImageFile& file, const ChannelTriple& channels, Image& image) 
         return;
     }
     if (channels[0] == channels[1] && channels[0] == channels[2]) {
-        // Once: to read a PNG or JPEG file again the library would open it by name, and this one is in memory.
+        // Once: to read a PNG or JPEG file again the library would open it by name, and this one is in
+        // memory.
         file.read(channels[0], channels[0] + 1, type, image.pixels.data(), sizeof(glm::vec3));
         for (glm::vec3& pixel : image.pixels)
             pixel = glm::vec3(pixel.x);

@@ -16,9 +16,6 @@ namespace {
 /// the columns; 1e-12 allows for thousands.
 constexpr double kSingular = 1e-12;
 
-/// A column this much shorter than the longest is the rounding of zero, or flat at the resolution of float32.
-constexpr double kShortColumn = 1e-14;
-
 /// A triangle whose edges span less than this, relative to their lengths, was seen edge-on by the flattening
 /// map: the rounding of its vertices, 1e-16 of their distance to the origin, then decides its normal. The
 /// margin holds for edges down to 1e-5 of that distance.
@@ -99,7 +96,7 @@ bool is_singular(const glm::dmat3& linear) {
     for (int column = 0; column < 3; ++column) {
         const glm::dvec3 scaled = linear[column] / largest;
         const double length = glm::length(scaled);
-        if (length <= kShortColumn) return true;
+        if (length == 0.0) return true;
         unit[column] = scaled / length;
     }
     return std::abs(glm::determinant(unit)) <= kSingular;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/default_view.h"
 
+#include "scene/world_geometry.h"
+
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
-
-#include "scene/world_geometry.h"
 
 namespace utsuri {
 

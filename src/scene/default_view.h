@@ -5,8 +5,8 @@
 
 namespace utsuri {
 
-/// A camera named "default" that sees the whole scene from a three-quarter view, with a vertical field of view of 45
-/// degrees; at the origin, looking along -Z, where the scene is empty.
+/// A camera named "default" that sees the whole scene from a three-quarter view, with a vertical field of
+/// view of 45 degrees; at the origin, looking along -Z, where the scene is empty.
 Camera frame_scene(const Scene& scene);
 
 }  // namespace utsuri

@@ -13,11 +13,11 @@ enum class LightType { point, spot, directional };
 struct Light {
     std::string name;
     LightType type = LightType::point;
-    glm::dvec3 position{0.0};               ///< metres; point and spot
-    glm::dvec3 direction{0.0, 0.0, -1.0};   ///< unit, the way the light travels; spot and directional
-    glm::vec3 intensity{1.0f};              ///< per channel: cd (point, spot) or lux (directional)
-    double range = 0.0;                     ///< metres, cut-off distance; 0 means unlimited
-    double inner_cone_angle = 0.0;          ///< radians, [0, outer)
+    glm::dvec3 position{0.0};                      ///< metres; point and spot
+    glm::dvec3 direction{0.0, 0.0, -1.0};          ///< unit, the way the light travels; spot and directional
+    glm::vec3 intensity{1.0f};                     ///< per channel: cd (point, spot) or lux (directional)
+    double range = 0.0;                            ///< metres, cut-off distance; 0 means unlimited
+    double inner_cone_angle = 0.0;                 ///< radians, [0, outer)
     double outer_cone_angle = 0.7853981633974483;  ///< radians, (inner, pi/2]
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "scene/texture.h"
+
 #include <glm/vec3.hpp>
 
 #include <string>
-
-#include "scene/texture.h"
 
 namespace utsuri {
 
@@ -18,8 +18,9 @@ struct Material {
     float roughness = 1.0f;       ///< perceptual, [0, 1]; GGX alpha = roughness squared
     glm::vec3 emissive{0.0f};     ///< cd/m2 per channel, emissive strength included, >= 0
     float ior = 1.5f;             ///< index of refraction of the dielectric part, >= 1
-    float specular = 1.0f;        ///< [0, 1], scales the dielectric reflection; 0 makes a pure Lambert surface
-    bool double_sided = false;    ///< emits from the back too; all surfaces block and reflect light on both sides
+    float specular = 1.0f;  ///< [0, 1], scales the dielectric reflection; 0 makes a pure Lambert surface
+    bool double_sided =
+        false;  ///< emits from the back too; all surfaces block and reflect light on both sides
 
     TextureSlot base_colour_texture;         ///< sRGB
     TextureSlot metallic_roughness_texture;  ///< linear; g roughness, b metallic

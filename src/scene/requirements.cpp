@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/requirements.h"
 
+#include "interop/shading.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <optional>
 #include <set>
-
-#include "interop/shading.h"
 
 namespace utsuri {
 namespace {
@@ -94,7 +94,8 @@ Requirements find_requirements(const Scene& scene) {
         needs.triangles += mesh.triangles.size();
         needs.vertices += mesh.positions.size();
         if (material.emissive != glm::vec3(0.0f)) needs.emissive_triangles += mesh.triangles.size();
-        if (!mesh.triangles.empty() && may_be_specular(scene, material)) needs.reflective_instances.push_back(i);
+        if (!mesh.triangles.empty() && may_be_specular(scene, material))
+            needs.reflective_instances.push_back(i);
         if (!materials.insert(instance.material).second || !has_texture(material)) continue;
         for (const TextureSlot* slot : {&material.base_colour_texture, &material.metallic_roughness_texture,
                                         &material.emissive_texture}) {

@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "scene/scene.h"
+
 #include <cstdint>
 #include <vector>
 
-#include "scene/scene.h"
-
 namespace utsuri {
 
-/// What rendering a scene takes. It picks the specialization of every kernel and decides which resources exist at all.
+/// What rendering a scene takes. It picks the specialization of every kernel and decides which resources
+/// exist at all.
 struct Requirements {
     std::uint64_t triangles = 0;
     std::uint64_t vertices = 0;
     std::uint32_t instances = 0;
-    std::uint32_t materials = 0;            ///< used by an instance
-    std::uint32_t textures = 0;             ///< used by such a material
+    std::uint32_t materials = 0;  ///< used by an instance
+    std::uint32_t textures = 0;   ///< used by such a material
     std::uint64_t texels = 0;
     std::uint64_t emissive_triangles = 0;
     std::uint32_t punctual_lights = 0;
-    bool environment = false;               ///< uniform surroundings
-    bool glossy = false;                    ///< rough specular lobes
-    bool specular = false;                  ///< perfect mirrors or smooth dielectrics
+    bool environment = false;                         ///< uniform surroundings
+    bool glossy = false;                              ///< rough specular lobes
+    bool specular = false;                            ///< perfect mirrors or smooth dielectrics
     std::vector<std::uint32_t> reflective_instances;  ///< with a specular surface
-    /// Most specular reflections a ray can meet: 0 without mirrors, 1 where all lie in one plane, else unbounded.
+    /// Most specular reflections a ray can meet: 0 without mirrors, 1 where all lie in one plane, else
+    /// unbounded.
     std::uint32_t specular_depth = 0;
 };
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "scene/camera.h"
+#include "scene/light.h"
+#include "scene/material.h"
+#include "scene/texture.h"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -9,20 +14,15 @@
 #include <string>
 #include <vector>
 
-#include "scene/camera.h"
-#include "scene/light.h"
-#include "scene/material.h"
-#include "scene/texture.h"
-
 namespace utsuri {
 
 /// Indexed triangles in object space. Counter-clockwise seen from the front.
 struct Mesh {
     std::string name;
-    std::vector<glm::vec3> positions;      ///< finite
-    std::vector<glm::vec3> normals;        ///< unit, one per position
-    std::vector<glm::vec2> texcoords;      ///< one per position, or empty
-    std::vector<glm::uvec3> triangles;     ///< indices into positions, all in range
+    std::vector<glm::vec3> positions;   ///< finite
+    std::vector<glm::vec3> normals;     ///< unit, one per position
+    std::vector<glm::vec2> texcoords;   ///< one per position, or empty
+    std::vector<glm::uvec3> triangles;  ///< indices into positions, all in range
 };
 
 /// A mesh placed in the world with one material. An instance is what the reflection methods call an object.
@@ -30,7 +30,7 @@ struct Instance {
     std::string name;
     std::uint32_t mesh = 0;
     std::uint32_t material = 0;
-    glm::dmat4 world_from_object{1.0};     ///< affine, may mirror
+    glm::dmat4 world_from_object{1.0};  ///< affine, may mirror
 };
 
 /// What is dropped or ignored on the way in, one line each, for example
@@ -45,8 +45,8 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Light> lights;
-    std::vector<Camera> cameras;           ///< at least one
-    glm::vec3 environment{0.0f};           ///< cd/m2 of the uniform surroundings that escaping rays see
+    std::vector<Camera> cameras;  ///< at least one
+    glm::vec3 environment{0.0f};  ///< cd/m2 of the uniform surroundings that escaping rays see
 };
 
 }  // namespace utsuri

@@ -45,7 +45,8 @@ void append_instance(const Scene& scene, std::uint32_t index, WorldGeometry& wor
     const glm::dmat3 normals_matrix = normal_matrix(linear);
     const auto first = static_cast<std::uint32_t>(world.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const glm::dvec3 position = transform_point(instance.world_from_object, mesh.positions[i]) - world.origin;
+        const glm::dvec3 position =
+            transform_point(instance.world_from_object, mesh.positions[i]) - world.origin;
         world.positions.emplace_back(position);
         world.normals.push_back(transform_normal(normals_matrix, mirrors ? -1.0 : 1.0, mesh.normals[i]));
         world.texcoords.push_back(mesh.texcoords.empty() ? glm::vec2(0.0f) : mesh.texcoords[i]);
@@ -64,7 +65,8 @@ void append_instance(const Scene& scene, std::uint32_t index, WorldGeometry& wor
 WorldGeometry make_world_geometry(const Scene& scene) {
     WorldGeometry world;
     world.origin = centre_of_scene(scene);
-    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) append_instance(scene, i, world);
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+        append_instance(scene, i, world);
     return world;
 }
 

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "geometry/bounds.h"
 #include "scene/scene.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace utsuri {
 
-/// All instances of a scene as one list of triangles in scene space: world space moved so that `origin`, the centre of
-/// the scene, is at zero, where float32 is most accurate. Vertices are transformed once, in float64, so triangles
-/// that share a vertex share its bits.
+/// All instances of a scene as one list of triangles in scene space: world space moved so that `origin`, the
+/// centre of the scene, is at zero, where float32 is most accurate. Vertices are transformed once, in
+/// float64, so triangles that share a vertex share its bits.
 struct WorldGeometry {
-    glm::dvec3 origin{0.0};                 ///< metres, world space
-    Bounds bounds;                          ///< scene space
+    glm::dvec3 origin{0.0};  ///< metres, world space
+    Bounds bounds;           ///< scene space
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;         ///< unit, one per position
-    std::vector<glm::vec2> texcoords;       ///< one per position; (0, 0) where a mesh has none
-    std::vector<glm::uvec3> triangles;      ///< counter-clockwise seen from the front
-    std::vector<std::uint32_t> instances;   ///< one per triangle
+    std::vector<glm::vec3> normals;        ///< unit, one per position
+    std::vector<glm::vec2> texcoords;      ///< one per position; (0, 0) where a mesh has none
+    std::vector<glm::uvec3> triangles;     ///< counter-clockwise seen from the front
+    std::vector<std::uint32_t> instances;  ///< one per triangle
 };
 
 WorldGeometry make_world_geometry(const Scene& scene);

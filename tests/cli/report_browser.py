@@ -8,6 +8,7 @@ ctest).
 import argparse
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -20,6 +21,65 @@ TIMEOUT_SECONDS = 120  # a cold start on two busy cores takes some 20 s
 VIRTUAL_MILLISECONDS = 5000
 DATA_BEGIN = '<script type="application/json" id="data">'
 DIVIDERS = (25, 80)  # percent from the left
+
+# Run inside the page: what a reader's actions change. Events made by a script own no pointer to capture.
+ACTIONS = """<script>
+Element.prototype.setPointerCapture = () => {};
+const act = (id, event) => document.getElementById(id).dispatchEvent(event);
+const press = (key, shiftKey = false) => act("divider", new KeyboardEvent("keydown", { key, shiftKey }));
+const at = (type, x, y, more = {}) => {
+    const box = document.getElementById("stage").getBoundingClientRect();
+    const Kind = { click: MouseEvent, wheel: WheelEvent }[type] ?? PointerEvent;
+    act("stage", new Kind(type, { clientX: box.left + x * box.width, clientY: box.top + y * box.height, ...more }));
+};
+const results = {};
+const note = (name) => {
+    results[name] = [document.getElementById("divider").getAttribute("aria-valuenow"),
+                     document.getElementById("zoom-level").textContent,
+                     document.querySelector("#left-side img").style.transform,
+                     document.querySelector("#right-side img").style.transform];
+};
+function run() {
+    if (document.documentElement.dataset.ready !== "true") return setTimeout(run, 20);
+    press("ArrowRight"); note("arrow");
+    press("ArrowLeft", true); note("shift arrow");
+    press("End"); note("end");
+    press("Home"); note("home");
+    at("click", 0.3, 0.5); note("click");
+    at("pointerdown", 0.3, 0.5); at("pointermove", 0.7, 0.5); note("drag");
+    at("pointerup", 0.7, 0.5); at("pointermove", 0.1, 0.5); note("released");
+    at("wheel", 1, 1, { deltaY: -100 }); note("wheel alone");
+    at("wheel", 1, 1, { deltaY: -100, ctrlKey: true });
+    at("wheel", 1, 1, { deltaY: -100, ctrlKey: true }); note("wheel with ctrl");
+    at("pointerdown", 0.5, 0.5); at("pointermove", 0.75, 0.5); note("pan");
+    at("pointermove", 5, 5); at("pointerup", 5, 5); note("pan to the edge");
+    document.getElementById("zoom-in").click(); note("zoom in");
+    document.getElementById("zoom-fit").click(); note("fit");
+    const choice = document.getElementById("left-choice");
+    choice.selectedIndex = choice.length - 1;
+    act("left-choice", new Event("change"));
+    results.tag = document.getElementById("left-tag").textContent;
+    results.name = choice.selectedOptions[0].textContent;
+    document.documentElement.dataset.results = JSON.stringify(results);
+}
+run();
+</script>"""
+
+
+def view(divider, level, x, y, zoom):
+    transform = f"translate({x}%, {y}%) scale({zoom})"
+    return [str(divider), level, transform, transform]
+
+
+# Zooming at the corner (1, 1) by z puts the start of the picture at 1 - z sizes of the stage.
+RESULTS = {
+    "arrow": view(51, "fit", 0, 0, 1), "shift arrow": view(41, "fit", 0, 0, 1), "end": view(100, "fit", 0, 0, 1),
+    "home": view(0, "fit", 0, 0, 1), "click": view(30, "fit", 0, 0, 1), "drag": view(70, "fit", 0, 0, 1),
+    "released": view(70, "fit", 0, 0, 1), "wheel alone": view(70, "fit", 0, 0, 1),
+    "wheel with ctrl": view(70, "2×", -100, -100, 2), "pan": view(70, "2×", -75, -100, 2),
+    "pan to the edge": view(70, "2×", 0, 0, 2), "zoom in": view(70, "4×", -50, -50, 4),
+    "fit": view(70, "fit", 0, 0, 1),
+}
 
 
 class Page(HTMLParser):
@@ -107,6 +167,24 @@ def check_page(page, data, divider, checks):
     checks.equal("command", page.texts.get("command"), data["command"])
 
 
+def rounded(results):
+    """Numbers of a transform to a thousandth, far below a pixel: halves of powers of two are not exact."""
+    number = re.compile(r"-?\d+\.\d+(e-?\d+)?")
+    return [number.sub(lambda found: f"{round(float(found[0]), 3) + 0:g}", text) for text in results]
+
+
+def check_actions(browser, source, checks):
+    with tempfile.TemporaryDirectory(prefix="utsuri_report_") as folder:
+        copy = pathlib.Path(folder) / "report.html"
+        copy.write_text(source.replace("</body>", ACTIONS + "</body>"), encoding="utf-8")
+        dom, _ = browse(browser, copy.as_uri(), "--dump-dom")
+    html = next(attributes for tag, attributes, _ in Page(dom).elements if tag == "html")
+    results = json.loads(html.get("data-results", "{}"))
+    for name, expected in RESULTS.items():
+        checks.equal(f"after '{name}'", rounded(results.get(name, [])), expected)
+    checks.equal("label of the left picture after a choice", results.get("tag", ""), results.get("name"))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("report", type=pathlib.Path)
@@ -130,6 +208,7 @@ def main():
         dom, log = browse(browser, f"{url}#divider={divider}", "--dump-dom")
         check_page(Page(dom), data, divider, checks)
         checks.equal("messages on the console", [line for line in log.splitlines() if "CONSOLE" in line], [])
+    check_actions(browser, source, checks)
     if options.screenshot:
         scheme = ["--blink-settings=preferredColorScheme=0"] if options.dark else []
         browse(browser, f"{url}#{options.address}", f"--window-size={options.window}", "--hide-scrollbars",

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes and pictures at the edge of what there can be: nothing crashes and nothing is not a number.
+#include "support/methods.h"
+#include "support/test_device.h"
+
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
-
-#include "support/methods.h"
-#include "support/test_device.h"
 
 namespace utsuri::test {
 namespace {
@@ -24,7 +24,8 @@ class Degenerate : public DeviceTest {
     }
 
     static void check(const Traced& result, const char* method) {
-        EXPECT_EQ(result.statistics.counts.nonfinite + result.statistics.prepare_counts.nonfinite, 0u) << method;
+        EXPECT_EQ(result.statistics.counts.nonfinite + result.statistics.prepare_counts.nonfinite, 0u)
+            << method;
         for (const glm::vec3& pixel : result.image.pixels) {
             ASSERT_TRUE(std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z)) << method;
         }
@@ -89,17 +90,20 @@ TEST_F(Degenerate, PicturesOfOnePixelEdges) {
 
 TEST_F(Degenerate, EyeOnASurfaceInAVertexAndInsideTheBall) {
     const Scene scene = everything_scene();
-    render_all(scene, look_at(glm::dvec3(0, 0, 0), glm::dvec3(0, 1, -1)));             // on the floor
-    render_all(scene, look_at(glm::dvec3(-2, 0, -2.5), glm::dvec3(0, 1, 0)));          // in a corner of the room
-    render_all(scene, look_at(glm::dvec3(-0.6, 0.5, -0.5), glm::dvec3(1, 0.5, 0.1)));  // at the mirror ball's centre
-    render_all(scene, look_at(glm::dvec3(0, 1, -2.45), glm::dvec3(0.5, 1, -2.45)));    // in the plane of the mirror
+    render_all(scene, look_at(glm::dvec3(0, 0, 0), glm::dvec3(0, 1, -1)));     // on the floor
+    render_all(scene, look_at(glm::dvec3(-2, 0, -2.5), glm::dvec3(0, 1, 0)));  // in a corner of the room
+    render_all(scene,
+               look_at(glm::dvec3(-0.6, 0.5, -0.5), glm::dvec3(1, 0.5, 0.1)));  // at the mirror ball's centre
+    render_all(scene,
+               look_at(glm::dvec3(0, 1, -2.45), glm::dvec3(0.5, 1, -2.45)));  // in the plane of the mirror
 }
 
 TEST_F(Degenerate, VertexNormalsThatCancelOrPointInside) {
     Scene scene = everything_scene();
     for (const std::size_t ball : {std::size_t{2}, std::size_t{3}}) {
         std::vector<glm::vec3>& normals = scene.meshes[ball].normals;
-        for (std::size_t i = 0; i < normals.size(); ++i) normals[i] *= i % 2 == 0 ? 1.0f : -1.0f;
+        for (std::size_t i = 0; i < normals.size(); ++i)
+            normals[i] *= i % 2 == 0 ? 1.0f : -1.0f;
     }
     render_all(scene, everything_camera());
 }
@@ -113,7 +117,8 @@ TEST_F(Degenerate, LightInASurfaceAndAtTheEye) {
 
 TEST_F(Degenerate, HugeGroundAndTinyObject) {
     Scene scene;
-    add(scene, quad(glm::vec3(-1e6f, 0, 1e6f), glm::vec3(2e6f, 0, 0), glm::vec3(0, 0, -2e6f)), lambert(glm::vec3(0.5f)));
+    add(scene, quad(glm::vec3(-1e6f, 0, 1e6f), glm::vec3(2e6f, 0, 0), glm::vec3(0, 0, -2e6f)),
+        lambert(glm::vec3(0.5f)));
     add(scene, icosphere(glm::vec3(0, 1e-3f, 0), 1e-3f, 2), mirror());
     scene.environment = glm::vec3(1.0f);
     render_all(scene, look_at(glm::dvec3(0, 2e-3, 1e-2), glm::dvec3(0, 1e-3, 0)));
@@ -121,7 +126,8 @@ TEST_F(Degenerate, HugeGroundAndTinyObject) {
 
 TEST_F(Degenerate, MapsOfOneTexel) {
     const MapSettings maps{1, 1, {}};
-    check(render_with_maps(device(), everything_scene(), everything_camera(), kSettings, MapKind::polygon, maps, 1),
+    check(render_with_maps(device(), everything_scene(), everything_camera(), kSettings, MapKind::polygon,
+                           maps, 1),
           "polygon-map");
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The same picture for any split of the work.
-#include <gmock/gmock.h>
-
 #include "renderers/common/frame_camera.h"
 #include "renderers/ray_trace/ray_tracer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
+
+#include <gmock/gmock.h>
 
 namespace utsuri::test {
 namespace {
@@ -21,16 +21,20 @@ class Determinism : public DeviceTest {
         RenderSettings settings = kSettings;
         settings.seed = seed;
         RayTracer tracer(device(), scene,
-                         make_camera_info(everything_camera(), data.origin, settings.width, settings.height), settings);
+                         make_camera_info(everything_camera(), data.origin, settings.width, settings.height),
+                         settings);
         Film film(device(), settings.width, settings.height, "film");
         Progress progress;
-        for (const std::uint32_t count : portions) tracer.add_samples(film, count, progress);
+        for (const std::uint32_t count : portions)
+            tracer.add_samples(film, count, progress);
         EXPECT_EQ(film.samples(), 12u);
         return film.resolve();
     }
 };
 
-TEST_F(Determinism, SameRunTwice) { EXPECT_TRUE(render({12}).pixels == render({12}).pixels); }
+TEST_F(Determinism, SameRunTwice) {
+    EXPECT_TRUE(render({12}).pixels == render({12}).pixels);
+}
 
 TEST_F(Determinism, AnySplitOfTheSamples) {
     const Image whole = render({12});
@@ -39,16 +43,19 @@ TEST_F(Determinism, AnySplitOfTheSamples) {
     EXPECT_TRUE(render({1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}).pixels == whole.pixels);
 }
 
-TEST_F(Determinism, SeedsDiffer) { EXPECT_FALSE(render({12}, 1).pixels == render({12}, 2).pixels); }
+TEST_F(Determinism, SeedsDiffer) {
+    EXPECT_FALSE(render({12}, 1).pixels == render({12}, 2).pixels);
+}
 
 TEST_F(Determinism, SumsKeepTheirDigitsOverManySamples) {
-    // A uniform picture has the same value in every sample, so its mean must be that value to the bit, however many
-    // samples there are; a plain float32 sum of 0.1 is off after a few thousand.
+    // A uniform picture has the same value in every sample, so its mean must be that value to the bit,
+    // however many samples there are; a plain float32 sum of 0.1 is off after a few thousand.
     Scene scene;
     scene.cameras.push_back(look_at(glm::dvec3(0), glm::dvec3(0, 0, -1)));
     scene.environment = glm::vec3(0.1f);
     const Image image = trace(device(), scene, scene.cameras.front(), {8, 8, 0, 1}, 20000).image;
-    for (const glm::vec3& pixel : image.pixels) ASSERT_EQ(pixel, glm::vec3(0.1f));
+    for (const glm::vec3& pixel : image.pixels)
+        ASSERT_EQ(pixel, glm::vec3(0.1f));
 }
 
 TEST_F(Determinism, BandsOfATallPictureFitTogether) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Long specular chains: references.md A6.4 and A6.5.
-#include <gtest/gtest.h>
-
-#include <glm/trigonometric.hpp>
-
-#include <cmath>
-
 #include "support/scenes.h"
 #include "support/test_device.h"
+
+#include <glm/trigonometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace utsuri::test {
 namespace {
@@ -21,11 +20,12 @@ class MirrorChain : public DeviceTest {
         return material;
     }
 
-    /// The eye stands between two mirrors 1 m apart and looks straight at the one that also emits 1 cd/m2. The chain
-    /// never ends but at `depth`.
+    /// The eye stands between two mirrors 1 m apart and looks straight at the one that also emits 1 cd/m2.
+    /// The chain never ends but at `depth`.
     Traced facing_mirrors(float reflectance, std::uint32_t depth) {
         Scene scene;
-        add(scene, quad(glm::vec3(-0.5f, -5, 5), glm::vec3(0, 0, -10), glm::vec3(0, 10, 0)), dim_mirror(reflectance));
+        add(scene, quad(glm::vec3(-0.5f, -5, 5), glm::vec3(0, 0, -10), glm::vec3(0, 10, 0)),
+            dim_mirror(reflectance));
         Material glowing = dim_mirror(reflectance);
         glowing.emissive = glm::vec3(1.0f);
         glowing.double_sided = true;
@@ -36,15 +36,16 @@ class MirrorChain : public DeviceTest {
 };
 
 TEST_F(MirrorChain, FacingMirrorsAddUpAGeometricSeries) {
-    // Every second hit emits 1: hits 0, 2, 4 ... So L = sum over j of (rho^2)^j for 2 j <= depth (Schlick's rise at
-    // 5e-4 rad is 1e-14).
+    // Every second hit emits 1: hits 0, 2, 4 ... So L = sum over j of (rho^2)^j for 2 j <= depth (Schlick's
+    // rise at 5e-4 rad is 1e-14).
     for (const float reflectance : {0.5f, 0.9f, 0.999f}) {
         for (const std::uint32_t depth : {0u, 1u, 2u, 10u, 1000u}) {
             const double square = static_cast<double>(reflectance) * static_cast<double>(reflectance);
             const double terms = depth / 2 + 1;
             const double expected = (1.0 - std::pow(square, terms)) / (1.0 - square);
             const Traced result = facing_mirrors(reflectance, depth);
-            // 1e-4 after 1000 reflections is what references.md C1.21 asks; each takes a handful of roundings.
+            // 1e-4 after 1000 reflections is what references.md C1.21 asks; each takes a handful of
+            // roundings.
             const double tolerance = std::max(2e-6, 1e-7 * depth);
             EXPECT_NEAR(static_cast<double>(result.image.pixels[0].x) / expected, 1.0, tolerance)
                 << reflectance << " depth " << depth;
@@ -55,13 +56,15 @@ TEST_F(MirrorChain, FacingMirrorsAddUpAGeometricSeries) {
 }
 
 TEST_F(MirrorChain, WedgeOfOneDegreeReflects180Times) {
-    // A6.5: in a wedge of angle pi / m a ray makes exactly m reflections: unfolded, it is a straight line that comes in
-    // between 0 and 1 degree about the z axis, leaves 0.23 degrees beyond 180, and crosses every whole degree between.
+    // A6.5: in a wedge of angle pi / m a ray makes exactly m reflections: unfolded, it is a straight line
+    // that comes in between 0 and 1 degree about the z axis, leaves 0.23 degrees beyond 180, and crosses
+    // every whole degree between.
     const float angle = glm::radians(1.0f);
     Scene scene;
     const glm::vec3 z(0, 0, 2);
     add(scene, quad(glm::vec3(0, 0, -1), z, glm::vec3(100, 0, 0)), mirror());
-    add(scene, quad(glm::vec3(0, 0, -1), z, 100.0f * glm::vec3(std::cos(angle), std::sin(angle), 0)), mirror());
+    add(scene, quad(glm::vec3(0, 0, -1), z, 100.0f * glm::vec3(std::cos(angle), std::sin(angle), 0)),
+        mirror());
     const Camera camera = look_at(glm::dvec3(50, 0.4, 0), glm::dvec3(0, 0.2, 0), 1e-4);
     const Traced result = trace(device(), scene, camera, {1, 1, 0, 100000}, 1);
     EXPECT_EQ(result.statistics.counts.traced, 180u);

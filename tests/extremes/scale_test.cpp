@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// references.md C0: scaling all lengths by 2^k, and point lights by 4^k, changes no bit of the picture. One absolute
-// epsilon anywhere, one overflow or one denormal would.
+// references.md C0: scaling all lengths by 2^k, and point lights by 4^k, changes no bit of the picture. One
+// absolute epsilon anywhere, one overflow or one denormal would.
+#include "support/methods.h"
+#include "support/test_device.h"
+
 #include <gmock/gmock.h>
 
 #include <cmath>
-
-#include "support/methods.h"
-#include "support/test_device.h"
 
 namespace utsuri::test {
 namespace {
@@ -24,7 +24,8 @@ Camera scaled_camera(double factor) {
 class Scale : public DeviceTest {};
 
 TEST_F(Scale, TracedPictureIsTheSameBits) {
-    const Image original = trace(device(), everything_scene(), everything_camera(), kSettings, kSamples).image;
+    const Image original =
+        trace(device(), everything_scene(), everything_camera(), kSettings, kSamples).image;
     for (const int k : kExponents) {
         const double factor = std::ldexp(1.0, k);
         const Traced result =
@@ -38,11 +39,12 @@ TEST_F(Scale, MappedPicturesAreTheSameBits) {
     const MapSettings maps{24, 2, {}};
     for (const MapKind kind : {MapKind::polygon, MapKind::sphere}) {
         const Image original =
-            render_with_maps(device(), everything_scene(), everything_camera(), kSettings, kind, maps, 2).image;
+            render_with_maps(device(), everything_scene(), everything_camera(), kSettings, kind, maps, 2)
+                .image;
         for (const int k : {-20, 20}) {
             const double factor = std::ldexp(1.0, k);
-            const Image image = render_with_maps(device(), scaled(everything_scene(), factor), scaled_camera(factor),
-                                                 kSettings, kind, maps, 2)
+            const Image image = render_with_maps(device(), scaled(everything_scene(), factor),
+                                                 scaled_camera(factor), kSettings, kind, maps, 2)
                                     .image;
             EXPECT_TRUE(image.pixels == original.pixels) << "k = " << k;
         }
@@ -51,18 +53,23 @@ TEST_F(Scale, MappedPicturesAreTheSameBits) {
 
 TEST_F(Scale, AFactorThatIsNoPowerOfTwoDiffers) {
     // What the tests above would miss if pictures were equal for a trivial reason.
-    const Image original = trace(device(), everything_scene(), everything_camera(), kSettings, kSamples).image;
-    const Image image = trace(device(), scaled(everything_scene(), 3.0), scaled_camera(3.0), kSettings, kSamples).image;
+    const Image original =
+        trace(device(), everything_scene(), everything_camera(), kSettings, kSamples).image;
+    const Image image =
+        trace(device(), scaled(everything_scene(), 3.0), scaled_camera(3.0), kSettings, kSamples).image;
     EXPECT_FALSE(image.pixels == original.pixels);
 }
 
 TEST_F(Scale, LightTimesAPowerOfTwoScalesThePictureExactly) {
-    const Image original = trace(device(), everything_scene(), everything_camera(), kSettings, kSamples).image;
-    for (const int k : {-33, 40}) {   // 1e-10 and 1e12
+    const Image original =
+        trace(device(), everything_scene(), everything_camera(), kSettings, kSamples).image;
+    for (const int k : {-33, 40}) {  // 1e-10 and 1e12
         const float factor = std::ldexp(1.0f, k);
         Scene scene = everything_scene();
-        for (Material& material : scene.materials) material.emissive *= factor;
-        for (Light& light : scene.lights) light.intensity *= factor;
+        for (Material& material : scene.materials)
+            material.emissive *= factor;
+        for (Light& light : scene.lights)
+            light.intensity *= factor;
         const Traced result = trace(device(), scene, everything_camera(), kSettings, kSamples);
         EXPECT_EQ(result.statistics.counts.nonfinite, 0u);
         for (std::size_t i = 0; i < original.pixels.size(); ++i) {
@@ -75,19 +82,23 @@ TEST_F(Scale, FarFromTheOriginIsTheSameScene) {
     // A translation by a multiple of a large power of two is exact in float64, and the scene is re-based.
     const glm::dvec3 offset = std::ldexp(1.0, 20) * glm::dvec3(1, -2, 3);
     Scene scene = everything_scene();
-    for (Instance& instance : scene.instances) instance.world_from_object[3] += glm::dvec4(offset, 0.0);
-    for (Light& light : scene.lights) light.position += offset;
+    for (Instance& instance : scene.instances)
+        instance.world_from_object[3] += glm::dvec4(offset, 0.0);
+    for (Light& light : scene.lights)
+        light.position += offset;
     Camera camera = everything_camera();
     camera.position += offset;
-    const Image original = trace(device(), everything_scene(), everything_camera(), kSettings, kSamples).image;
+    const Image original =
+        trace(device(), everything_scene(), everything_camera(), kSettings, kSamples).image;
     const Image image = trace(device(), scene, camera, kSettings, kSamples).image;
-    // Re-based vertices differ by the rounding of float64 at 3e6 m, 5e-10 m, which can turn a float32 by one unit:
-    // a few samples may then fall on the other side of an edge, so the mean is held, and most pixels.
+    // Re-based vertices differ by the rounding of float64 at 3e6 m, 5e-10 m, which can turn a float32 by one
+    // unit: a few samples may then fall on the other side of an edge, so the mean is held, and most pixels.
     double difference = 0.0;
     double sum = 0.0;
     for (std::size_t i = 0; i < original.pixels.size(); ++i) {
         for (int c = 0; c < 3; ++c) {
-            difference += std::abs(static_cast<double>(image.pixels[i][c]) - static_cast<double>(original.pixels[i][c]));
+            difference += std::abs(static_cast<double>(image.pixels[i][c]) -
+                                   static_cast<double>(original.pixels[i][c]));
             sum += static_cast<double>(original.pixels[i][c]);
         }
     }

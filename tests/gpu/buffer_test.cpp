@@ -76,8 +76,9 @@ TEST_F(BufferOnDevice, TellsThatItIsTooLarge) {
         FAIL() << "a buffer of " << limit + 1 << " bytes";
     } catch (const DeviceError& error) {
         EXPECT_EQ(error.exit_code(), ExitCode::device);
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("all the world's triangles"), HasSubstr(fmt::format("{}", limit + 1)),
-                                        HasSubstr(fmt::format("at most {}", limit))));
+        EXPECT_THAT(error.what(),
+                    AllOf(HasSubstr("all the world's triangles"), HasSubstr(fmt::format("{}", limit + 1)),
+                          HasSubstr(fmt::format("at most {}", limit))));
     }
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/device_selection.h"
 
-#include "gpu/device.h"
-
 #include "base/error.h"
+#include "gpu/device.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -20,7 +19,9 @@ using testing::HasSubstr;
 
 class DeviceSelection : public testing::Test {
   protected:
-    void SetUp() override { ASSERT_FALSE(devices_.empty()) << "tests need a Vulkan device, software is enough"; }
+    void SetUp() override {
+        ASSERT_FALSE(devices_.empty()) << "tests need a Vulkan device, software is enough";
+    }
 
     std::string error_of(std::string_view wanted) {
         try {
@@ -60,8 +61,9 @@ TEST_F(DeviceSelection, TakesAPartOfANameInAnyCase) {
     std::string upper = chosen.name;
     std::transform(upper.begin(), upper.end(), upper.begin(),
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    const auto same_name = std::count_if(devices_.begin(), devices_.end(),
-                                         [&](const DeviceSummary& device) { return device.name == chosen.name; });
+    const auto same_name = std::count_if(devices_.begin(), devices_.end(), [&](const DeviceSummary& device) {
+        return device.name == chosen.name;
+    });
     if (same_name > 1) GTEST_SKIP() << "two devices of one name";
     EXPECT_EQ(choose_device(instance_, upper).index, chosen.index);
 }
@@ -78,9 +80,8 @@ TEST_F(DeviceSelection, TellsThatSeveralFit) {
     // A letter that the names of two devices share.
     for (char letter = 'a'; letter <= 'z'; ++letter) {
         const auto has_letter = [&](const DeviceSummary& device) {
-            return std::any_of(device.name.begin(), device.name.end(), [&](unsigned char c) {
-                return static_cast<char>(std::tolower(c)) == letter;
-            });
+            return std::any_of(device.name.begin(), device.name.end(),
+                               [&](unsigned char c) { return static_cast<char>(std::tolower(c)) == letter; });
         };
         const auto count = std::count_if(devices_.begin(), devices_.end(), has_letter);
         if (count < 2) continue;

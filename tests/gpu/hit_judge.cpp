@@ -43,7 +43,8 @@ ShearedVertex shear_vertex(const glm::vec3& vertex, const glm::vec3& origin, con
     const double rx = r[(shear.axis + 1) % 3];
     const double ry = r[(shear.axis + 2) % 3];
     const double rz = r[shear.axis];
-    // Roundings of r: 1. Of shear * z: r.z 1, reciprocal 5 (2.5 ulp on a GPU), shear 1, product 1. Of the difference: 1.
+    // Roundings of r: 1. Of shear * z: r.z 1, reciprocal 5 (2.5 ulp on a GPU), shear 1, product 1. Of the
+    // difference: 1.
     const auto error = [&](double xy, double slope) {
         return kUnitRoundoff * kHigherOrder * (2.0 * std::abs(xy) + 9.0 * std::abs(slope * rz));
     };
@@ -66,7 +67,9 @@ Bounded edge_function(const ShearedVertex& p, const ShearedVertex& q) {
     return {p.x * q.y - p.y * q.x, kHigherOrder * (from_operands + from_rounding)};
 }
 
-bool is_excluded(const interop::RayInfo& ray, std::uint32_t triangle) { return ray.excluded == triangle; }
+bool is_excluded(const interop::RayInfo& ray, std::uint32_t triangle) {
+    return ray.excluded == triangle;
+}
 
 }  // namespace
 
@@ -79,7 +82,9 @@ TriangleDecision decide(const interop::BvhTriangle& triangle, const interop::Ray
     const std::array<double, 3> depths = {a.z, b.z, c.z};
 
     TriangleDecision decision;
-    const auto all = [&](const auto& predicate) { return std::all_of(edges.begin(), edges.end(), predicate); };
+    const auto all = [&](const auto& predicate) {
+        return std::all_of(edges.begin(), edges.end(), predicate);
+    };
     decision.possible = all([](const Bounded& e) { return e.value >= -e.error; }) ||
                         all([](const Bounded& e) { return e.value <= e.error; });
     decision.certain = all([](const Bounded& e) { return e.value > e.error; }) ||
@@ -101,13 +106,16 @@ TriangleDecision decide(const interop::BvhTriangle& triangle, const interop::Ray
         return decision;
     }
     double depth = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) depth += edges[i].value * depths[i] / determinant;
-    // Errors of the edge functions move the weighted mean of the depths by their distance from it. Depths are rounded
-    // once, products once, their sum twice, the determinant's sum twice; then two reciprocals of 2.5 ulp, two products.
+    for (std::size_t i = 0; i < 3; ++i)
+        depth += edges[i].value * depths[i] / determinant;
+    // Errors of the edge functions move the weighted mean of the depths by their distance from it. Depths are
+    // rounded once, products once, their sum twice, the determinant's sum twice; then two reciprocals of 2.5
+    // ulp, two products.
     double error = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
         error += edges[i].error * std::abs(depths[i] - depth) / safe;
-        error += kUnitRoundoff * std::abs(edges[i].value) * (4.0 * std::abs(depths[i]) + 2.0 * std::abs(depth)) / safe;
+        error += kUnitRoundoff * std::abs(edges[i].value) *
+                 (4.0 * std::abs(depths[i]) + 2.0 * std::abs(depth)) / safe;
     }
     error += 12.0 * kUnitRoundoff * (std::abs(depth) + error);
     decision.t = depth / shear.z;
@@ -115,7 +123,8 @@ TriangleDecision decide(const interop::BvhTriangle& triangle, const interop::Ray
     return decision;
 }
 
-Verdict judge(const Bvh& bvh, const interop::RayInfo& ray, const interop::HitInfo& hit, std::string& explanation) {
+Verdict judge(const Bvh& bvh, const interop::RayInfo& ray, const interop::HitInfo& hit,
+              std::string& explanation) {
     const bool found = hit.triangle != interop::NONE;
     const auto t = static_cast<double>(hit.t);
     if (found) {
@@ -127,8 +136,9 @@ Verdict judge(const Bvh& bvh, const interop::RayInfo& ray, const interop::HitInf
         const bool in_range = hit.t > 0.0f && hit.t <= ray.t_max;
         // Written so that a NaN is wrong; an infinite bound lets every number pass.
         if (!own.possible || !in_range || !(std::abs(t - own.t) <= own.t_error || std::isinf(own.t_error))) {
-            explanation = fmt::format("triangle {} is hit at t = {}, not at {} +- {} (possible: {}, in range: {})",
-                                      hit.triangle, t, own.t, own.t_error, own.possible, in_range);
+            explanation =
+                fmt::format("triangle {} is hit at t = {}, not at {} +- {} (possible: {}, in range: {})",
+                            hit.triangle, t, own.t, own.t_error, own.possible, in_range);
             return Verdict::wrong;
         }
     }
@@ -141,12 +151,14 @@ Verdict judge(const Bvh& bvh, const interop::RayInfo& ray, const interop::HitInf
         return decision.certain && decision.t > decision.t_error && decision.t + decision.t_error < limit;
     });
     if (certain) {
-        explanation = fmt::format("triangle {} at t = {} is passed through; found {} at {}", certain->triangle,
-                                  certain->t, found ? fmt::format("{}", hit.triangle) : "nothing", t);
+        explanation =
+            fmt::format("triangle {} at t = {} is passed through; found {} at {}", certain->triangle,
+                        certain->t, found ? fmt::format("{}", hit.triangle) : "nothing", t);
         return Verdict::wrong;
     }
-    const auto truth = closest_hit_reference(bvh, origin, direction, static_cast<double>(ray.t_max),
-                                             [&](std::uint32_t triangle) { return !is_excluded(ray, triangle); });
+    const auto truth =
+        closest_hit_reference(bvh, origin, direction, static_cast<double>(ray.t_max),
+                              [&](std::uint32_t triangle) { return !is_excluded(ray, triangle); });
     const std::uint32_t true_triangle = truth ? truth->triangle : interop::NONE;
     return true_triangle == hit.triangle ? Verdict::exact : Verdict::within_rounding;
 }

@@ -31,7 +31,8 @@ class HitJudge : public testing::Test {
 
     /// The device triangle with this input index.
     [[nodiscard]] std::uint32_t device_triangle(std::uint32_t input) const {
-        return static_cast<std::uint32_t>(std::find(bvh_.order.begin(), bvh_.order.end(), input) - bvh_.order.begin());
+        return static_cast<std::uint32_t>(std::find(bvh_.order.begin(), bvh_.order.end(), input) -
+                                          bvh_.order.begin());
     }
 
     [[nodiscard]] Verdict judge(const interop::RayInfo& ray, const interop::HitInfo& hit) const {
@@ -52,7 +53,9 @@ TEST_F(HitJudge, AcceptsTheTruth) {
     EXPECT_EQ(judge(down_, {std::nextafter(2.0f, 3.0f), device_triangle(0), 0.5f, 0.25f}), Verdict::exact);
 }
 
-TEST_F(HitJudge, RefusesAMiss) { EXPECT_EQ(judge(down_, nothing_), Verdict::wrong); }
+TEST_F(HitJudge, RefusesAMiss) {
+    EXPECT_EQ(judge(down_, nothing_), Verdict::wrong);
+}
 
 TEST_F(HitJudge, RefusesAWrongDistance) {
     EXPECT_EQ(judge(down_, {2.001f, device_triangle(0), 0.5f, 0.25f}), Verdict::wrong);
@@ -91,10 +94,12 @@ TEST_F(HitJudge, AcceptsEitherTriangleOnASharedEdge) {
 
 TEST_F(HitJudge, AcceptsAMissWithinRoundingOfTheBorderOnly) {
     interop::RayInfo ray = down_;
-    // The edge function of the border y = 0 errs by some 20 units roundoff of the distance of 2.
-    ray.origin.y = 0x1p-24f;
+    ray.direction = {0.0f, 0.3f, -1.0f};
+    // The plane z = 0 is met at t = 2, one float above the border y = 0. The way of 0.6 along y makes an
+    // error of some 10 units roundoff of it possible.
+    ray.origin.y = std::nextafter(-2.0f * 0.3f, 0.0f);
     EXPECT_EQ(judge(ray, {3.0f, device_triangle(2), 0.5f, 0.0f}), Verdict::within_rounding);
-    ray.origin.y = 1e-5f;
+    ray.origin.y += 1e-5f;
     EXPECT_EQ(judge(ray, {3.0f, device_triangle(2), 0.5f, 0.0f}), Verdict::wrong);
 }
 

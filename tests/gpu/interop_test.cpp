@@ -35,7 +35,10 @@ struct HostStruct {
     std::vector<HostMember> members;
 };
 
-#define AT(type, member) HostMember{#member, offsetof(interop::type, member)}
+#define AT(type, member)                         \
+    HostMember {                                 \
+#member, offsetof(interop::type, member) \
+    }
 
 /// Every struct of shaders/interop as the C++ compiler lays it out.
 std::map<std::string, HostStruct> host_structs() {
@@ -43,17 +46,19 @@ std::map<std::string, HostStruct> host_structs() {
     return {
         {"BvhNode",
          {sizeof(BvhNode),
-          {AT(BvhNode, origin_exponents), AT(BvhNode, bases_meta), AT(BvhNode, lower_xy), AT(BvhNode, lower_z_upper_x),
-           AT(BvhNode, upper_yz)}}},
-        {"BvhTriangle", {sizeof(BvhTriangle), {AT(BvhTriangle, v0), AT(BvhTriangle, v1), AT(BvhTriangle, v2)}}},
+          {AT(BvhNode, origin_exponents), AT(BvhNode, bases_meta), AT(BvhNode, lower_xy),
+           AT(BvhNode, lower_z_upper_x), AT(BvhNode, upper_yz)}}},
+        {"BvhTriangle",
+         {sizeof(BvhTriangle), {AT(BvhTriangle, v0), AT(BvhTriangle, v1), AT(BvhTriangle, v2)}}},
         {"CameraInfo",
          {sizeof(CameraInfo),
           {AT(CameraInfo, origin), AT(CameraInfo, right), AT(CameraInfo, up), AT(CameraInfo, forward)}}},
         {"FramePush",
          {sizeof(FramePush),
           {AT(FramePush, camera), AT(FramePush, width), AT(FramePush, height), AT(FramePush, first_row),
-           AT(FramePush, rows), AT(FramePush, first_tile), AT(FramePush, sample_begin), AT(FramePush, sample_end),
-           AT(FramePush, seed), AT(FramePush, specular_depth), AT(FramePush, excluded_instance)}}},
+           AT(FramePush, rows), AT(FramePush, first_tile), AT(FramePush, sample_begin),
+           AT(FramePush, sample_end), AT(FramePush, seed), AT(FramePush, specular_depth),
+           AT(FramePush, excluded_instance)}}},
         {"FilmPixel",
          {sizeof(FilmPixel),
           {AT(FilmPixel, sum_even), AT(FilmPixel, compensation_even), AT(FilmPixel, sum_odd),
@@ -61,12 +66,12 @@ std::map<std::string, HostStruct> host_structs() {
         {"Counters",
          {sizeof(Counters),
           {AT(Counters, rays), AT(Counters, nonfinite), AT(Counters, lookups), AT(Counters, traced),
-           AT(Counters, truncated)}}},
+           AT(Counters, truncated), AT(Counters, incomplete)}}},
         {"AovPixel",
          {sizeof(AovPixel),
-          {AT(AovPixel, depth), AT(AovPixel, position), AT(AovPixel, geometric_normal), AT(AovPixel, shading_normal),
-           AT(AovPixel, albedo), AT(AovPixel, texcoord), AT(AovPixel, triangle), AT(AovPixel, instance),
-           AT(AovPixel, material), AT(AovPixel, specular)}}},
+          {AT(AovPixel, depth), AT(AovPixel, position), AT(AovPixel, geometric_normal),
+           AT(AovPixel, shading_normal), AT(AovPixel, albedo), AT(AovPixel, texcoord), AT(AovPixel, triangle),
+           AT(AovPixel, instance), AT(AovPixel, material), AT(AovPixel, specular)}}},
         {"RayInfo",
          {sizeof(RayInfo),
           {AT(RayInfo, origin), AT(RayInfo, direction), AT(RayInfo, t_max), AT(RayInfo, excluded)}}},
@@ -105,8 +110,8 @@ std::map<std::string, HostStruct> host_structs() {
         {"LightInfo",
          {sizeof(LightInfo),
           {AT(LightInfo, type), AT(LightInfo, triangle), AT(LightInfo, probability), AT(LightInfo, position),
-           AT(LightInfo, direction), AT(LightInfo, intensity), AT(LightInfo, range), AT(LightInfo, spot_scale),
-           AT(LightInfo, spot_offset)}}},
+           AT(LightInfo, direction), AT(LightInfo, intensity), AT(LightInfo, range),
+           AT(LightInfo, spot_scale), AT(LightInfo, spot_offset)}}},
         {"LightTableEntry",
          {sizeof(LightTableEntry), {AT(LightTableEntry, threshold), AT(LightTableEntry, alias)}}},
     };
@@ -140,12 +145,13 @@ TEST(Interop, StructsHaveTheSameLayoutInEveryKernel) {
         const SpirvModule module(kernel.spirv);
         for (const SpirvModule::Struct& device : module.laid_out_structs()) {
             const auto host = hosts.find(device.name);
-            if (host == hosts.end()) continue;   // the blocks around them
+            if (host == hosts.end()) continue;  // the blocks around them
             EXPECT_EQ(layout_problem(device, host->second), "") << kernel.name << ": " << device.name;
             met.insert(device.name);
         }
     }
-    for (const auto& [name, host] : hosts) EXPECT_TRUE(met.contains(name)) << name << " is in no kernel";
+    for (const auto& [name, host] : hosts)
+        EXPECT_TRUE(met.contains(name)) << name << " is in no kernel";
 }
 
 TEST(Interop, StructsAreAllKnownToTheTest) {
@@ -160,12 +166,14 @@ TEST(Interop, StructsAreAllKnownToTheTest) {
         }
     }
     EXPECT_GT(defined.size(), 0u);
-    for (const std::string& name : defined) EXPECT_TRUE(hosts.contains(name)) << name;
+    for (const std::string& name : defined)
+        EXPECT_TRUE(hosts.contains(name)) << name;
     EXPECT_EQ(defined.size(), hosts.size());
 }
 
 TEST(Interop, ComparisonFindsAShiftedMemberAndAWrongStride) {
-    const SpirvModule::Struct right{"HitInfo", {{"t", 0, 4}, {"triangle", 4, 4}, {"b1", 8, 4}, {"b2", 12, 4}}, {16}};
+    const SpirvModule::Struct right{
+        "HitInfo", {{"t", 0, 4}, {"triangle", 4, 4}, {"b1", 8, 4}, {"b2", 12, 4}}, {16}};
     EXPECT_EQ(layout_problem(right, host_structs().at("HitInfo")), "");
     SpirvModule::Struct shifted = right;
     shifted.members[2].offset = 16;

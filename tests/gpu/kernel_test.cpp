@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernel.h"
 
-#include "gpu/probe.h"
 #include "support/test_device.h"
 
 #include "base/check.h"
+#include "gpu/probe.h"
 
 #include "kernels/film_probe.h"
 
@@ -40,9 +40,11 @@ TEST_F(KernelOnDevice, RefusesPushConstantsOfAnotherSize) {
     const Buffer buffer(device(), 64, "any");
     const BindingSet set = kernel.bind({{0, &buffer}, {1, &buffer}});
     const std::uint64_t wrong = 0;
-    EXPECT_THROW(device().run("push too much", [&](const vk::raii::CommandBuffer& commands) {
-        kernel.dispatch(commands, set, wrong, 1);
-    }), CheckFailure);
+    EXPECT_THROW(device().run("push too much",
+                              [&](const vk::raii::CommandBuffer& commands) {
+                                  kernel.dispatch(commands, set, wrong, 1);
+                              }),
+                 CheckFailure);
     // The device is still good for work.
     EXPECT_NO_THROW(device().run("nothing", [](const vk::raii::CommandBuffer&) {}));
 }

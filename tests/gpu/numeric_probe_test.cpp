@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/probe.h"
+#include "kernels/numeric_probe.h"
+
 #include "support/test_device.h"
 
 #include "base/sampler.h"
-
-#include "kernels/numeric_probe.h"
+#include "gpu/probe.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,8 +17,8 @@
 namespace utsuri {
 namespace {
 
-/// Relative error of a unit vector: inverse square root within 2 ulp (Vulkan 1.3, precision of SPIR-V instructions), a
-/// dot product and a product: some 8 roundings.
+/// Relative error of a unit vector: inverse square root within 2 ulp (Vulkan 1.3, precision of SPIR-V
+/// instructions), a dot product and a product: some 8 roundings.
 constexpr double kUnitVector = 8.0 * 0x1p-23;
 
 /// Spread over the sphere.
@@ -52,7 +52,8 @@ TEST_F(NumericProbe, CosineAndSineKeepTheirErrorBound) {
     double worst = 0.0;
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const double angle = 2.0 * std::numbers::pi * static_cast<double>(queries[i].turn);
-        const glm::dvec2 error = glm::dvec2(answers[i].cos_sin) - glm::dvec2(std::cos(angle), std::sin(angle));
+        const glm::dvec2 error =
+            glm::dvec2(answers[i].cos_sin) - glm::dvec2(std::cos(angle), std::sin(angle));
         worst = std::max({worst, std::abs(error.x), std::abs(error.y)});
     }
     EXPECT_LT(worst, kStatedBound);
@@ -70,7 +71,8 @@ TEST_F(NumericProbe, NormalisesAtEveryScale) {
     }
     const auto answers = ask(queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
-        ASSERT_LT(glm::length(glm::dvec3(answers[i].normalized) - glm::normalize(glm::dvec3(expected[i]))), kUnitVector)
+        ASSERT_LT(glm::length(glm::dvec3(answers[i].normalized) - glm::normalize(glm::dvec3(expected[i]))),
+                  kUnitVector)
             << "times 2^" << static_cast<int>(i / 64) - 60;
         // The scaling is exact: the same bits at every scale.
         ASSERT_EQ(answers[i].normalized, answers[i % 64].normalized);
@@ -91,9 +93,11 @@ TEST_F(NumericProbe, NormalisesExtremesAndLeavesZero) {
 
 TEST_F(NumericProbe, BasesAreOrthonormalForEveryNormal) {
     std::vector<interop::NumericQuery> queries;
-    for (std::uint32_t i = 0; i < 100000; ++i) queries.push_back({{1, 0, 0}, unit_vector(i), 0.0f});
+    for (std::uint32_t i = 0; i < 100000; ++i)
+        queries.push_back({{1, 0, 0}, unit_vector(i), 0.0f});
     const float tiny = 0x1p-12f;
-    for (const float z : {1.0f, -1.0f, std::nextafter(-1.0f, 0.0f), std::nextafter(1.0f, 0.0f), -0.0f, 0.0f}) {
+    for (const float z :
+         {1.0f, -1.0f, std::nextafter(-1.0f, 0.0f), std::nextafter(1.0f, 0.0f), -0.0f, 0.0f}) {
         for (const float x : {0.0f, tiny, -tiny}) {
             const glm::vec3 n(std::abs(z) > 0.5f ? x : 1.0f, 0.0f, z);
             queries.push_back({{1, 0, 0}, n, 0.0f});
@@ -118,7 +122,8 @@ TEST_F(NumericProbe, BasesAreOrthonormalForEveryNormal) {
 TEST_F(NumericProbe, FindsTheNextFloat) {
     std::vector<interop::NumericQuery> queries;
     for (const float x : {1.0f, -1.0f, 0.3f, -1e-20f, 1e30f, 0.99999994f, -0x1p-100f}) {
-        for (const float towards : {1.0f, -1.0f, 0.0f}) queries.push_back({{x, -x, 0}, {towards, towards, towards}, 0.0f});
+        for (const float towards : {1.0f, -1.0f, 0.0f})
+            queries.push_back({{x, -x, 0}, {towards, towards, towards}, 0.0f});
     }
     const auto answers = ask(queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -133,23 +138,27 @@ TEST_F(NumericProbe, FindsTheNextFloat) {
 
 TEST_F(NumericProbe, ProjectsDirectionsOntoTheCubeAndBack) {
     std::vector<interop::NumericQuery> queries;
-    for (std::uint32_t i = 0; i < 10000; ++i) queries.push_back({7.0f * unit_vector(i), {1, 0, 0}, 0.0f});
+    for (std::uint32_t i = 0; i < 10000; ++i)
+        queries.push_back({7.0f * unit_vector(i), {1, 0, 0}, 0.0f});
     const auto answers = ask(queries);
     std::vector<int> on_face(6, 0);
     for (std::size_t i = 0; i < queries.size(); ++i) {
         ASSERT_LT(answers[i].face, 6u);
         ++on_face[answers[i].face];
-        // Face 2a + s looks along axis a, downwards where s = 1; right and up are the axes that follow in cyclic order.
+        // Face 2a + s looks along axis a, downwards where s = 1; right and up are the axes that follow in
+        // cyclic order.
         const int axis = static_cast<int>(answers[i].face / 2);
         glm::dvec3 back(0.0);
         back[axis] = answers[i].face % 2 == 0 ? 1.0 : -1.0;
         back[(axis + 1) % 3] = static_cast<double>(answers[i].position.x);
         back[(axis + 2) % 3] = static_cast<double>(answers[i].position.y);
         ASSERT_LE(std::max(std::abs(answers[i].position.x), std::abs(answers[i].position.y)), 1.0f);
-        ASSERT_LT(glm::length(glm::normalize(back) - glm::normalize(glm::dvec3(queries[i].vector))), kUnitVector);
+        ASSERT_LT(glm::length(glm::normalize(back) - glm::normalize(glm::dvec3(queries[i].vector))),
+                  kUnitVector);
     }
     // Each face has a sixth of the sphere: binomial, 6 standard deviations of 37.
-    for (const int count : on_face) EXPECT_NEAR(count, 10000 / 6, 6 * 37);
+    for (const int count : on_face)
+        EXPECT_NEAR(count, 10000 / 6, 6 * 37);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/oracle_comparison.h"
 
-#include "gpu/hit_judge.h"
 #include "renderers/common/gpu_scene.h"
 #include "renderers/ray_trace/ray_list.h"
 #include "support/embree_oracle.h"
 
 #include "base/sampler.h"
+#include "gpu/hit_judge.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -50,8 +50,9 @@ RaySet camera_rays(const SceneData& data, std::uint32_t edge) {
         const float x = 2.0f * (static_cast<float>(i % edge) + jitter.x) / static_cast<float>(edge) - 1.0f;
         const float y = 2.0f * (static_cast<float>(i / edge) + jitter.y) / static_cast<float>(edge) - 1.0f;
         const glm::vec3 right = glm::cross(forward, glm::vec3(0, 1, 0));
-        set.rays.push_back(ray(eye, glm::normalize(forward + x * right / glm::length(right) * glm::length(forward) +
-                                                   y * glm::length(forward) * glm::vec3(0, 1, 0))));
+        set.rays.push_back(
+            ray(eye, glm::normalize(forward + x * right / glm::length(right) * glm::length(forward) +
+                                    y * glm::length(forward) * glm::vec3(0, 1, 0))));
     }
     return set;
 }
@@ -60,7 +61,8 @@ RaySet random_rays(const SceneData& data, std::uint32_t count) {
     RaySet set{"random", {}};
     for (std::uint32_t i = 0; i < count; ++i) {
         const glm::vec3 direction = 2.0f * uniform(3, i) - 1.0f;
-        set.rays.push_back(ray(point_in(data.bounds, 2, i), direction == glm::vec3(0.0f) ? glm::vec3(1) : direction));
+        set.rays.push_back(
+            ray(point_in(data.bounds, 2, i), direction == glm::vec3(0.0f) ? glm::vec3(1) : direction));
     }
     return set;
 }
@@ -82,7 +84,7 @@ RaySet axis_rays(const SceneData& data, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
         glm::vec3 direction(0.0f);
         std::uint32_t code = 1 + pick(5, i, 26);
-        if (code >= 14) ++code;   // 13 is the zero vector, and pick + 1 skips 0 = (-1, -1, -1): taken by 27
+        if (code >= 14) ++code;  // 13 is the zero vector, and pick + 1 skips 0 = (-1, -1, -1): taken by 27
         code %= 27;
         for (int axis = 0; axis < 3; ++axis, code /= 3) {
             direction[axis] = static_cast<float>(static_cast<int>(code % 3) - 1);
@@ -144,9 +146,9 @@ Tally compare(const Bvh& bvh, const RaySet& set, const std::vector<interop::HitI
         }
         if (!explanation.empty() && tally.wrong <= kMostExplanations) {
             const interop::RayInfo& r = set.rays[i];
-            ADD_FAILURE() << fmt::format("{} ray {}, origin ({}, {}, {}), direction ({}, {}, {}): {}", set.kind, i,
-                                         r.origin.x, r.origin.y, r.origin.z, r.direction.x, r.direction.y,
-                                         r.direction.z, explanation);
+            ADD_FAILURE() << fmt::format("{} ray {}, origin ({}, {}, {}), direction ({}, {}, {}): {}",
+                                         set.kind, i, r.origin.x, r.origin.y, r.origin.z, r.direction.x,
+                                         r.direction.y, r.direction.z, explanation);
         }
     }
     return tally;
@@ -161,7 +163,8 @@ void compare_with_embree(Device& device, const Scene& scene) {
     RayList list(device, gpu_scene, RayQuery::closest_hit);
     constexpr std::uint32_t kEdge = 320;
     constexpr std::uint32_t kFew = 1u << 15;
-    const std::vector<RaySet> sets = {camera_rays(data, kEdge), random_rays(data, (1u << 18) - kEdge * kEdge - 2 * kFew),
+    const std::vector<RaySet> sets = {camera_rays(data, kEdge),
+                                      random_rays(data, (1u << 18) - kEdge * kEdge - 2 * kFew),
                                       axis_rays(data, kFew), edge_rays(data, kFew)};
     for (const RaySet& set : sets) {
         list.upload(set.rays);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/oracle_comparison.h"
 #include "import/gltf.h"
 #include "support/test_device.h"
+
+#include "gpu/oracle_comparison.h"
 
 #include <filesystem>
 #include <string>
@@ -17,9 +18,15 @@ class EmbreeComparisonOfScenes : public DeviceTest {
     }
 };
 
-TEST_F(EmbreeComparisonOfScenes, Office) { compare("office"); }
-TEST_F(EmbreeComparisonOfScenes, Cornell) { compare("cornell"); }
-TEST_F(EmbreeComparisonOfScenes, Spheres) { compare("spheres"); }
+TEST_F(EmbreeComparisonOfScenes, Office) {
+    compare("office");
+}
+TEST_F(EmbreeComparisonOfScenes, Cornell) {
+    compare("cornell");
+}
+TEST_F(EmbreeComparisonOfScenes, Spheres) {
+    compare("spheres");
+}
 
 }  // namespace
 }  // namespace utsuri

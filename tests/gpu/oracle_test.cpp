@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/oracle_comparison.h"
 #include "support/scenes.h"
 #include "support/test_device.h"
 #include "support/triangle_soup.h"
+
+#include "gpu/oracle_comparison.h"
 
 namespace utsuri {
 namespace {
@@ -21,7 +22,8 @@ TEST_F(EmbreeComparison, RandomTriangles) {
 
 TEST_F(EmbreeComparison, NestedSphereAndGrids) {
     Scene scene = scene_of(test::icosphere({0.1f, 0.2f, 0.3f}, 0.9f, 4));
-    for (const int axis : {0, 1, 2}) test::add(scene, test::to_mesh(test::flat_grid(8, axis)), test::mirror());
+    for (const int axis : {0, 1, 2})
+        test::add(scene, test::to_mesh(test::flat_grid(8, axis)), test::mirror());
     test::compare_with_embree(device(), scene);
 }
 

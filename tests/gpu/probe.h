@@ -3,7 +3,6 @@
 
 #include "gpu/buffer.h"
 #include "gpu/kernel.h"
-
 #include "gpu/probes.h"
 
 #include <span>

@@ -5,8 +5,8 @@
 #include "interop/prelude.h"
 INTEROP_BEGIN
 
-INTEROP_CONSTANT PROBE_QUERIES = 0u;   ///< binding
-INTEROP_CONSTANT PROBE_ANSWERS = 1u;   ///< binding
+INTEROP_CONSTANT PROBE_QUERIES = 0u;  ///< binding
+INTEROP_CONSTANT PROBE_ANSWERS = 1u;  ///< binding
 
 struct ProbePush {
     uint count;
@@ -22,25 +22,25 @@ struct SamplerQuery {
 
 struct SamplerAnswer {
     uint key;
-    uint scrambled;   ///< owen_scramble(index, seed)
-    uvec2 sobol;      ///< point `index`
+    uint scrambled;  ///< owen_scramble(index, seed)
+    uvec2 sobol;     ///< point `index`
     vec2 point;
 };
 
 struct NumericQuery {
-    vec3 vector;    ///< any length
-    vec3 normal;    ///< unit
-    float turn;     ///< [0, 1]
+    vec3 vector;  ///< any length
+    vec3 normal;  ///< unit
+    float turn;   ///< [0, 1]
 };
 
 struct NumericAnswer {
     vec2 cos_sin;
     vec3 normalized;
-    vec3 tangent;     ///< of the basis about `normal`
+    vec3 tangent;  ///< of the basis about `normal`
     vec3 bitangent;
-    vec3 next;        ///< each component of `vector` moved by one float towards the sign of that of `normal`
-    uint face;        ///< of the cube, that `vector` points at
-    vec2 position;    ///< on that face
+    vec3 next;      ///< each component of `vector` moved by one float towards the sign of that of `normal`
+    uint face;      ///< of the cube, that `vector` points at
+    vec2 position;  ///< on that face
 };
 
 struct MicrofacetQuery {
@@ -52,9 +52,9 @@ struct MicrofacetQuery {
 };
 
 struct MicrofacetAnswer {
-    float distribution;    ///< at the half vector of wo and wi
-    float brdf;            ///< with a Fresnel reflectance of 1
-    float pdf;             ///< of wi, over solid angle
+    float distribution;  ///< at the half vector of wo and wi
+    float brdf;          ///< with a Fresnel reflectance of 1
+    float pdf;           ///< of wi, over solid angle
     vec3 sampled_normal;
 };
 

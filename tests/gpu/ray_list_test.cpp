@@ -48,9 +48,8 @@ std::vector<interop::RayInfo> random_rays(std::uint32_t count) {
 }
 
 int hit_count(const std::vector<interop::HitInfo>& hits) {
-    return static_cast<int>(std::count_if(hits.begin(), hits.end(), [](const interop::HitInfo& hit) {
-        return hit.triangle != interop::NONE;
-    }));
+    return static_cast<int>(std::count_if(
+        hits.begin(), hits.end(), [](const interop::HitInfo& hit) { return hit.triangle != interop::NONE; }));
 }
 
 TEST_F(RayListOnDevice, TellsDistanceAndBarycentricCoordinates) {
@@ -60,9 +59,10 @@ TEST_F(RayListOnDevice, TellsDistanceAndBarycentricCoordinates) {
     const SceneData data = data_of(soup);
     const glm::vec3 shift(data.origin);
     // From z = 2 by steps of 4: the plane z = 0 is met at t = 1/2, at b1 = 1/4, b2 = 1/2.
-    const std::vector<interop::RayInfo> rays = {{glm::vec3(0, 1, 2) - shift, {0, 0, -4}, kInfinity, interop::NONE},
-                                                {glm::vec3(0, 1, -2) - shift, {0, 0, -4}, kInfinity, interop::NONE},
-                                                {glm::vec3(0, 1, -9) - shift, {0, 0, -4}, kInfinity, interop::NONE}};
+    const std::vector<interop::RayInfo> rays = {
+        {glm::vec3(0, 1, 2) - shift, {0, 0, -4}, kInfinity, interop::NONE},
+        {glm::vec3(0, 1, -2) - shift, {0, 0, -4}, kInfinity, interop::NONE},
+        {glm::vec3(0, 1, -9) - shift, {0, 0, -4}, kInfinity, interop::NONE}};
     const auto hits = trace(data, rays);
     EXPECT_EQ(hits[0].t, 0.5f);
     EXPECT_EQ(hits[0].b1, 0.25f);
@@ -78,7 +78,8 @@ TEST_F(RayListOnDevice, PassesThroughTheExcludedTriangle) {
     const SceneData data = data_of(test::random_soup(20000, 0.1f));
     std::vector<interop::RayInfo> rays = random_rays(20000);
     const auto first = trace(data, rays);
-    for (std::size_t i = 0; i < rays.size(); ++i) rays[i].excluded = first[i].triangle;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        rays[i].excluded = first[i].triangle;
     const auto second = trace(data, rays);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (first[i].triangle == interop::NONE) {
@@ -95,7 +96,8 @@ TEST_F(RayListOnDevice, PassesThroughTheExcludedTriangle) {
 TEST_F(RayListOnDevice, AnyHitTellsHitsWhereClosestHitDoes) {
     const SceneData data = data_of(test::random_soup(20000, 0.04f));
     std::vector<interop::RayInfo> rays = random_rays(50000);
-    for (std::size_t i = 0; i < rays.size(); i += 2) rays[i].t_max = 0.25f;
+    for (std::size_t i = 0; i < rays.size(); i += 2)
+        rays[i].t_max = 0.25f;
     const auto closest = trace(data, rays);
     const auto any = trace(data, rays, RayQuery::any_hit);
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -131,13 +133,15 @@ TEST_F(RayListOnDevice, HonoursTheEndOfTheRay) {
 TEST_F(RayListOnDevice, BreaksTiesByTheLowestTriangle) {
     // A thousand copies of one triangle: whatever the order of the search, the first in device order is told.
     test::TriangleSoup soup;
-    for (int i = 0; i < 1000; ++i) soup.add({-1, -1, 0}, {1, -1, 0}, {0, 1, 0.5f});
+    for (int i = 0; i < 1000; ++i)
+        soup.add({-1, -1, 0}, {1, -1, 0}, {0, 1, 0.5f});
     std::vector<interop::RayInfo> rays;
     for (std::uint32_t i = 0; i < 1000; ++i) {
         const glm::vec3 origin(0.2f * sample_2d(33, i, 0) - 0.1f, (i & 1u) != 0 ? 3.0f : -3.0f);
         rays.push_back({origin, -origin, kInfinity, interop::NONE});
     }
-    for (const interop::HitInfo& hit : trace(data_of(soup), rays)) ASSERT_EQ(hit.triangle, 0u);
+    for (const interop::HitInfo& hit : trace(data_of(soup), rays))
+        ASSERT_EQ(hit.triangle, 0u);
 }
 
 TEST_F(RayListOnDevice, ComesBackFromRaysThatAreNoRays) {
@@ -145,8 +149,9 @@ TEST_F(RayListOnDevice, ComesBackFromRaysThatAreNoRays) {
     std::vector<interop::RayInfo> rays = random_rays(6400);
     const auto expected = trace(data, rays);
     const float nan = std::nanf("");
-    const std::vector<glm::vec3> senseless = {{nan, nan, nan}, {nan, 1, 0}, {kInfinity, 0, 0}, {0, 0, 0},
-                                              {-kInfinity, kInfinity, 1}, {1e38f, 1e-38f, 0}, {1e-45f, 0, 0}};
+    const std::vector<glm::vec3> senseless = {
+        {nan, nan, nan},    {nan, 1, 0},   {kInfinity, 0, 0}, {0, 0, 0}, {-kInfinity, kInfinity, 1},
+        {1e38f, 1e-38f, 0}, {1e-45f, 0, 0}};
     // Among sound rays, which must not notice.
     for (std::size_t i = 0; i < rays.size(); i += 10) {
         rays[i].direction = senseless[i / 10 % senseless.size()];
@@ -170,7 +175,8 @@ TEST_F(RayListOnDevice, DoesNotDependOnTheLengthOfTheDirection) {
     const auto expected = trace(data, rays);
     for (const int exponent : {-60, -20, 20, 60}) {
         std::vector<interop::RayInfo> scaled = rays;
-        for (interop::RayInfo& ray : scaled) ray.direction *= std::ldexp(1.0f, exponent);
+        for (interop::RayInfo& ray : scaled)
+            ray.direction *= std::ldexp(1.0f, exponent);
         const auto hits = trace(data, scaled);
         for (std::size_t i = 0; i < rays.size(); ++i) {
             ASSERT_EQ(hits[i].triangle, expected[i].triangle) << exponent;
@@ -185,18 +191,39 @@ TEST_F(RayListOnDevice, FindsNothingInAnEmptyScene) {
     EXPECT_EQ(hit_count(hits), 0);
 }
 
-TEST_F(RayListOnDevice, NeverHitsTrianglesWithoutArea) {
+/// Rays at points of the segment from (-1, 0, 0) to (1, 0, 0) and at its middle.
+std::vector<interop::RayInfo> rays_at_segment(std::uint32_t count) {
+    std::vector<interop::RayInfo> rays;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const glm::vec3 origin = 2.0f * glm::vec3(sample_2d(34, i, 0), sample_2d(34, i, 1).x) - 1.0f;
+        const glm::vec3 target((i & 1u) != 0 ? 0.0f : 2.0f * sample_2d(35, i, 0).x - 1.0f, 0.0f, 0.0f);
+        rays.push_back({origin, target - origin, kInfinity, interop::NONE});
+    }
+    return rays;
+}
+
+TEST_F(RayListOnDevice, NeverHitsTrianglesWithCoincidentVertices) {
     test::TriangleSoup soup;
     soup.add({0, 0, 0}, {0, 0, 0}, {0, 0, 0});
     soup.add({-1, 0, 0}, {1, 0, 0}, {1, 0, 0});
-    soup.add({0, -1, 0}, {0, 0, 0}, {0, 1, 0});
-    std::vector<interop::RayInfo> rays;
-    for (std::uint32_t i = 0; i < 3000; ++i) {
-        const glm::vec3 origin = 2.0f * glm::vec3(sample_2d(34, i, 0), sample_2d(34, i, 1).x) - 1.0f;
-        const std::vector<glm::vec3> targets = {{0, 0, 0}, {sample_2d(35, i, 0).x, 0, 0}, {0, sample_2d(35, i, 0).x, 0}};
-        rays.push_back({origin, targets[i % 3] - origin, kInfinity, interop::NONE});
+    soup.add({-1, 0, 0}, {-1, 0, 0}, {1, 0, 0});
+    soup.add({-1, 0, 0}, {1, 0, 0}, {-1, 0, 0});
+    EXPECT_EQ(hit_count(trace(data_of(soup), rays_at_segment(10000))), 0);
+}
+
+TEST_F(RayListOnDevice, HitsTrianglesOfCollinearVerticesOnlyWhereTheyAre) {
+    // Rounding can make a sliver of three distinct points in a line; a hit of it is on the line all the same.
+    test::TriangleSoup soup;
+    soup.add({-1, 0, 0}, {0.125f, 0, 0}, {1, 0, 0});
+    const std::vector<interop::RayInfo> rays = rays_at_segment(10000);
+    const auto hits = trace(data_of(soup), rays);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (hits[i].triangle == interop::NONE) continue;
+        ASSERT_GE(std::min(hits[i].b1, hits[i].b2), 0.0f);
+        // Three roundings of each coordinate.
+        ASSERT_LE(hits[i].b1 + hits[i].b2, 1.0f + 3.0f * 0x1p-23f);
+        ASSERT_TRUE(std::isfinite(hits[i].t));
     }
-    EXPECT_EQ(hit_count(trace(data_of(soup), rays)), 0);
 }
 
 TEST_F(RayListOnDevice, TracesNoRays) {

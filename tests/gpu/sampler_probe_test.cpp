@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/probe.h"
+#include "kernels/sampler_probe.h"
+
 #include "support/test_device.h"
 
 #include "base/sampler.h"
-
-#include "kernels/sampler_probe.h"
+#include "gpu/probe.h"
 
 namespace utsuri {
 namespace {
@@ -14,9 +14,11 @@ using SamplerProbe = DeviceTest;
 TEST_F(SamplerProbe, EqualsTheHostBitForBit) {
     std::vector<interop::SamplerQuery> queries;
     for (std::uint32_t i = 0; i < 100000; ++i) {
-        queries.push_back({{hash(i) >> 18, hash(i + 1) >> 18}, hash(i + 2), i & 1u, i < 50000 ? i : hash(i), i & 31u});
+        queries.push_back(
+            {{hash(i) >> 18, hash(i + 1) >> 18}, hash(i + 2), i & 1u, i < 50000 ? i : hash(i), i & 31u});
     }
-    const auto answers = test::ask<interop::SamplerAnswer>(device(), "sampler_probe", kernels::sampler_probe, queries);
+    const auto answers =
+        test::ask<interop::SamplerAnswer>(device(), "sampler_probe", kernels::sampler_probe, queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const interop::SamplerQuery& query = queries[i];
         const std::uint32_t key = sampler_key(query.pixel, query.seed, query.estimate);

@@ -86,7 +86,8 @@ EmbreeOracle::EmbreeOracle(std::span<const interop::BvhTriangle> triangles, Mode
     rtcAttachGeometry(state_->scene, geometry);
     rtcReleaseGeometry(geometry);
     rtcCommitScene(state_->scene);
-    if (rtcGetDeviceError(state_->device) != RTC_ERROR_NONE) throw std::runtime_error("Embree failed to build");
+    if (rtcGetDeviceError(state_->device) != RTC_ERROR_NONE)
+        throw std::runtime_error("Embree failed to build");
 }
 
 EmbreeOracle::~EmbreeOracle() {
@@ -104,25 +105,29 @@ std::vector<interop::HitInfo> EmbreeOracle::closest_hits(std::span<const interop
             query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
             intersect(state_->scene, query);
             const bool hit = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-            hits[i] = hit ? interop::HitInfo{query.ray.tfar, query.hit.primID, query.hit.u, query.hit.v}
-                          : interop::HitInfo{std::numeric_limits<float>::infinity(), interop::NONE, 0.0f, 0.0f};
+            hits[i] =
+                hit ? interop::HitInfo{query.ray.tfar, query.hit.primID, query.hit.u, query.hit.v}
+                    : interop::HitInfo{std::numeric_limits<float>::infinity(), interop::NONE, 0.0f, 0.0f};
         }
     });
     return hits;
 }
 
-std::vector<std::uint8_t> EmbreeOracle::occlusions(std::span<const interop::RayInfo> rays, unsigned threads) const {
+std::vector<std::uint8_t> EmbreeOracle::occlusions(std::span<const interop::RayInfo> rays,
+                                                   unsigned threads) const {
     std::vector<std::uint8_t> result(rays.size());
     in_parallel(rays.size(), threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             RTCRay ray = embree_ray(rays[i]);
             occluded(state_->scene, ray);
-            result[i] = ray.tfar < 0.0f ? 1 : 0;   // Embree marks a hit with minus infinity
+            result[i] = ray.tfar < 0.0f ? 1 : 0;  // Embree marks a hit with minus infinity
         }
     });
     return result;
 }
 
-std::string EmbreeOracle::version() { return RTC_VERSION_STRING; }
+std::string EmbreeOracle::version() {
+    return RTC_VERSION_STRING;
+}
 
 }  // namespace utsuri

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "geometry/bvh.h"
+
+#include "interop/rays.h"
+
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "geometry/bvh.h"
-#include "interop/rays.h"
-
 namespace utsuri {
 
-/// Embree over the triangles of a BVH, in device order: the oracle for hits in tests and the peer in benchmarks.
+/// Embree over the triangles of a BVH, in device order: the oracle for hits in tests and the peer in
+/// benchmarks.
 class EmbreeOracle {
   public:
     enum class Mode {
@@ -24,8 +26,10 @@ class EmbreeOracle {
     EmbreeOracle& operator=(const EmbreeOracle&) = delete;
     ~EmbreeOracle();
 
-    /// Closest hits by rtcIntersect1, one ray at a time, over `threads` threads. RayInfo::excluded is not honoured.
-    std::vector<interop::HitInfo> closest_hits(std::span<const interop::RayInfo> rays, unsigned threads) const;
+    /// Closest hits by rtcIntersect1, one ray at a time, over `threads` threads. RayInfo::excluded is not
+    /// honoured.
+    std::vector<interop::HitInfo> closest_hits(std::span<const interop::RayInfo> rays,
+                                               unsigned threads) const;
 
     /// Whether each ray hits anything, by rtcOccluded1.
     std::vector<std::uint8_t> occlusions(std::span<const interop::RayInfo> rays, unsigned threads) const;

@@ -21,8 +21,9 @@ Texture checker() {
 
 }  // namespace
 
-Traced render_with_maps(Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings,
-                        MapKind kind, const MapSettings& maps, std::uint32_t samples) {
+Traced render_with_maps(Device& device, const Scene& scene, const Camera& camera,
+                        const RenderSettings& settings, MapKind kind, const MapSettings& maps,
+                        std::uint32_t samples) {
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device, data);
     MapRenderer renderer(device, data, gpu_scene, camera, kind, settings, maps);
@@ -39,12 +40,15 @@ Scene everything_scene() {
     Material walls = lambert(glm::vec3(0.7f, 0.6f, 0.5f));
     walls.base_colour_texture.texture = 0;
     add(scene, room(glm::vec3(-2, 0, -2.5f), glm::vec3(2, 3, 2.5f)), walls);
-    add(scene, quad(glm::vec3(-0.5f, 2.9f, -0.5f), glm::vec3(1, 0, 0), glm::vec3(0, 0, 1)), emitter(glm::vec3(50)));
+    add(scene, quad(glm::vec3(-0.5f, 2.9f, -0.5f), glm::vec3(1, 0, 0), glm::vec3(0, 0, 1)),
+        emitter(glm::vec3(50)));
     // The panel's front is below.
     scene.meshes.back().triangles = {{0, 2, 1}, {0, 3, 2}};
-    for (glm::vec3& normal : scene.meshes.back().normals) normal = -normal;
+    for (glm::vec3& normal : scene.meshes.back().normals)
+        normal = -normal;
     add(scene, icosphere(glm::vec3(-0.6f, 0.5f, -0.5f), 0.5f, 2), mirror());
-    add(scene, icosphere(glm::vec3(0.9f, 0.4f, 0.2f), 0.4f, 1), rough_metal(0.4f, glm::vec3(0.9f, 0.7f, 0.4f)));
+    add(scene, icosphere(glm::vec3(0.9f, 0.4f, 0.2f), 0.4f, 1),
+        rough_metal(0.4f, glm::vec3(0.9f, 0.7f, 0.4f)));
     add(scene, quad(glm::vec3(-1, 0.5f, -2.45f), glm::vec3(2, 0, 0), glm::vec3(0, 1.5f, 0)), mirror());
     Light point;
     point.position = glm::dvec3(1.5, 2.0, 1.5);
@@ -61,6 +65,8 @@ Scene everything_scene() {
     return scene;
 }
 
-Camera everything_camera() { return look_at(glm::dvec3(0.7, 1.6, 2.2), glm::dvec3(-0.2, 0.9, -1.0), 1.0); }
+Camera everything_camera() {
+    return look_at(glm::dvec3(0.7, 1.6, 2.2), glm::dvec3(-0.2, 0.9, -1.0), 1.0);
+}
 
 }  // namespace utsuri::test

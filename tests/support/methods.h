@@ -2,17 +2,18 @@
 #pragma once
 
 #include "renderers/reflection_map/map_renderer.h"
-
 #include "support/scenes.h"
 
 namespace utsuri::test {
 
 /// Renders direct/polygon-map or direct/sphere-map.
-Traced render_with_maps(Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings,
-                        MapKind kind, const MapSettings& maps, std::uint32_t samples);
+Traced render_with_maps(Device& device, const Scene& scene, const Camera& camera,
+                        const RenderSettings& settings, MapKind kind, const MapSettings& maps,
+                        std::uint32_t samples);
 
-/// A room of textured and plain walls with an emissive panel, a point, a spot and a directional light, a mirror ball, a
-/// plane mirror and a rough metal ball: every kind of light and surface there is, in 700 triangles.
+/// A room of textured and plain walls with an emissive panel, a point, a spot and a directional light, a
+/// mirror ball, a plane mirror and a rough metal ball: every kind of light and surface there is, in 700
+/// triangles.
 Scene everything_scene();
 Camera everything_camera();
 

@@ -60,19 +60,22 @@ Mesh icosphere(glm::vec3 centre, float radius, int level) {
         for (std::uint32_t j = i + 1; j < 12; ++j) {
             for (std::uint32_t k = j + 1; k < 12; ++k) {
                 const auto near = [&](std::uint32_t p, std::uint32_t q) {
-                    return glm::length(points[p] - points[q]) < 2.1f;   // edges have length 2
+                    return glm::length(points[p] - points[q]) < 2.1f;  // edges have length 2
                 };
                 if (!near(i, j) || !near(j, k) || !near(i, k)) continue;
-                const bool out = glm::dot(glm::cross(points[j] - points[i], points[k] - points[i]), points[i]) > 0;
+                const bool out =
+                    glm::dot(glm::cross(points[j] - points[i], points[k] - points[i]), points[i]) > 0;
                 faces.push_back(out ? glm::uvec3(i, j, k) : glm::uvec3(i, k, j));
             }
         }
     }
-    for (glm::vec3& point : points) point = glm::normalize(point);
+    for (glm::vec3& point : points)
+        point = glm::normalize(point);
     for (int l = 0; l < level; ++l) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
         const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-            const auto [found, added] = middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(points.size()));
+            const auto [found, added] =
+                middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(points.size()));
             if (added) points.push_back(glm::normalize(points[a] + points[b]));
             return found->second;
         };
@@ -85,7 +88,8 @@ Mesh icosphere(glm::vec3 centre, float radius, int level) {
     }
     Mesh mesh;
     mesh.normals = points;
-    for (const glm::vec3& point : points) mesh.positions.push_back(centre + radius * point);
+    for (const glm::vec3& point : points)
+        mesh.positions.push_back(centre + radius * point);
     mesh.triangles = std::move(faces);
     return mesh;
 }
@@ -106,7 +110,8 @@ Mesh room(glm::vec3 lower, glm::vec3 upper) {
             mesh.positions.insert(mesh.positions.end(), wall.positions.begin(), wall.positions.end());
             mesh.normals.insert(mesh.normals.end(), wall.normals.begin(), wall.normals.end());
             mesh.texcoords.insert(mesh.texcoords.end(), wall.texcoords.begin(), wall.texcoords.end());
-            for (const glm::uvec3& triangle : wall.triangles) mesh.triangles.push_back(triangle + first);
+            for (const glm::uvec3& triangle : wall.triangles)
+                mesh.triangles.push_back(triangle + first);
         }
     }
     return mesh;
@@ -134,14 +139,16 @@ Camera look_at(glm::dvec3 eye, glm::dvec3 target, double vertical_fov) {
 Scene scaled(const Scene& scene, double factor) {
     Scene result = scene;
     for (Instance& instance : result.instances) {
-        instance.world_from_object = glm::scale(glm::dmat4(1.0), glm::dvec3(factor)) * instance.world_from_object;
+        instance.world_from_object =
+            glm::scale(glm::dmat4(1.0), glm::dvec3(factor)) * instance.world_from_object;
     }
     for (Light& light : result.lights) {
         light.position *= factor;
         light.range *= factor;
         if (light.type != LightType::directional) light.intensity *= static_cast<float>(factor * factor);
     }
-    for (Camera& camera : result.cameras) camera.position *= factor;
+    for (Camera& camera : result.cameras)
+        camera.position *= factor;
     return result;
 }
 
@@ -149,8 +156,8 @@ Traced trace(Device& device, const Scene& scene, const Camera& camera, const Ren
              std::uint32_t samples) {
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device, data);
-    RayTracer tracer(device, gpu_scene, make_camera_info(camera, data.origin, settings.width, settings.height),
-                     settings);
+    RayTracer tracer(device, gpu_scene,
+                     make_camera_info(camera, data.origin, settings.width, settings.height), settings);
     Film film(device, settings.width, settings.height, "test film");
     Progress progress;
     tracer.prepare(progress);

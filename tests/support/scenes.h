@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <random>
+#include "renderers/common/renderer.h"
+#include "renderers/common/scene_data.h"
 
 #include "base/progress.h"
 #include "image/image.h"
-#include "renderers/common/renderer.h"
-#include "renderers/common/scene_data.h"
 #include "scene/scene.h"
+
+#include <cstdint>
+#include <random>
 
 namespace utsuri::test {
 
-/// Materials: a pure Lambert surface, a perfect mirror of reflectance 1, a Lambert surface that also emits, GGX metal.
+/// Materials: a pure Lambert surface, a perfect mirror of reflectance 1, a Lambert surface that also emits,
+/// GGX metal.
 Material lambert(glm::vec3 albedo);
 Material mirror();
 Material emitter(glm::vec3 radiance, glm::vec3 albedo = glm::vec3(0.0f));
 Material rough_metal(float roughness, glm::vec3 f0 = glm::vec3(1.0f));
 
-/// Meshes. A quad spans `u` and `v` from `corner`; its front is where u x v points. A sphere has its front outside
-/// and smooth normals; an icosphere of 20 * 4^level triangles inscribed in the radius.
+/// Meshes. A quad spans `u` and `v` from `corner`; its front is where u x v points. A sphere has its front
+/// outside and smooth normals; an icosphere of 20 * 4^level triangles inscribed in the radius.
 Mesh quad(glm::vec3 corner, glm::vec3 u, glm::vec3 v);
 Mesh icosphere(glm::vec3 centre, float radius, int level);
 /// The six walls of a box, with fronts inside.

@@ -94,7 +94,7 @@ std::uint32_t SpirvModule::size_of(std::uint32_t type) const {
             return offsets->second.at(last) + size_of(words.back());
         }
         default:
-            return 0;   // arrays whose length is open
+            return 0;  // arrays whose length is open
     }
 }
 

@@ -47,23 +47,25 @@ class SpirvModule {
 
     /// Ids that carry the decoration NoContraction.
     [[nodiscard]] std::set<std::uint32_t> uncontracted() const;
-    /// The instructions of the function whose name starts with `name` and an opening parenthesis; empty without one.
+    /// The instructions of the function whose name starts with `name` and an opening parenthesis; empty
+    /// without one.
     [[nodiscard]] std::vector<SpirvInstruction> function(const std::string& name) const;
 
     struct Member {
         std::string name;
         std::uint32_t offset = 0;
-        std::uint32_t size = 0;   ///< bytes
+        std::uint32_t size = 0;  ///< bytes
     };
     struct Struct {
         std::string name;
         std::vector<Member> members;
-        std::set<std::uint32_t> array_strides;   ///< of arrays of it
+        std::set<std::uint32_t> array_strides;  ///< of arrays of it
 
         /// Where the last member ends.
         [[nodiscard]] std::uint32_t end() const;
     };
-    /// Structs that have offsets, blocks that wrap a single array or struct included. One name may occur several times.
+    /// Structs that have offsets, blocks that wrap a single array or struct included. One name may occur
+    /// several times.
     [[nodiscard]] std::vector<Struct> laid_out_structs() const;
 
   private:
@@ -76,7 +78,8 @@ class SpirvModule {
     std::map<std::uint32_t, SpirvInstruction> types_;
 };
 
-/// The module without its NoContraction decorations: what a compiler would make of the source without `precise`.
+/// The module without its NoContraction decorations: what a compiler would make of the source without
+/// `precise`.
 std::vector<std::uint32_t> without_no_contraction(std::span<const std::uint32_t> words);
 
 }  // namespace utsuri::test

@@ -34,14 +34,18 @@ void DeviceTest::SetUpTestSuite() {
 void DeviceTest::TearDownTestSuite() {
     shared().device.reset();
     const std::vector<std::string> messages = shared().instance->validation_messages().take();
-    for (const std::string& message : messages) ADD_FAILURE() << message;
+    for (const std::string& message : messages)
+        ADD_FAILURE() << message;
     shared().instance.reset();
 }
 
 void DeviceTest::TearDown() {
-    for (const std::string& message : shared().instance->validation_messages().take()) ADD_FAILURE() << message;
+    for (const std::string& message : shared().instance->validation_messages().take())
+        ADD_FAILURE() << message;
 }
 
-Device& DeviceTest::device() { return *shared().device; }
+Device& DeviceTest::device() {
+    return *shared().device;
+}
 
 }  // namespace utsuri

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include "gpu/device.h"
+
+#include <gtest/gtest.h>
 
 namespace utsuri {
 
-/// Base of tests that need a device. A suite shares one; after each test, messages of the validation layer fail it.
+/// Base of tests that need a device. A suite shares one; after each test, messages of the validation layer
+/// fail it.
 class DeviceTest : public testing::Test {
   public:
     static void SetUpTestSuite();

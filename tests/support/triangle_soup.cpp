@@ -30,7 +30,9 @@ TriangleSoup random_soup(std::uint32_t count, float size, std::uint32_t seed) {
     soup.triangles.reserve(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         const glm::vec3 centre = random_point(4 * i, seed);
-        const auto corner = [&](std::uint32_t k) { return centre + 0.5f * size * random_point(4 * i + k, seed); };
+        const auto corner = [&](std::uint32_t k) {
+            return centre + 0.5f * size * random_point(4 * i + k, seed);
+        };
         soup.add(corner(1), corner(2), corner(3));
     }
     return soup;
@@ -82,10 +84,13 @@ Mesh to_mesh(const TriangleSoup& soup) {
     return mesh;
 }
 
-TriangleSoup to_soup(const Mesh& mesh) { return {mesh.positions, mesh.triangles}; }
+TriangleSoup to_soup(const Mesh& mesh) {
+    return {mesh.positions, mesh.triangles};
+}
 
 TriangleSoup scaled(TriangleSoup soup, float factor) {
-    for (glm::vec3& position : soup.positions) position *= factor;
+    for (glm::vec3& position : soup.positions)
+        position *= factor;
     return soup;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "scene/scene.h"
+
 #include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <vector>
-
-#include "scene/scene.h"
 
 namespace utsuri::test {
 

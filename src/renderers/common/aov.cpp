@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/common/aov.h"
 
-#include <algorithm>
-
-#include "interop/bindings.h"
-#include "kernels/aov.h"
 #include "renderers/common/film.h"
 #include "renderers/common/film_kernel.h"
 
+#include "interop/bindings.h"
+#include "kernels/aov.h"
+
+#include <algorithm>
+
 namespace utsuri {
 
-std::vector<interop::AovPixel> render_aovs(Device& device, const GpuScene& scene, const interop::CameraInfo& camera,
-                                           std::uint32_t width, std::uint32_t height) {
+std::vector<interop::AovPixel> render_aovs(Device& device, const GpuScene& scene,
+                                           const interop::CameraInfo& camera, std::uint32_t width,
+                                           std::uint32_t height) {
     const Kernel kernel(device, "aov", kernels::aov, scene.specialization(), sizeof(interop::FramePush));
     // One first hit costs little: a band of this many rows stays far under the time that drivers allow.
-    const std::uint32_t rows = std::min({rows_per_band(device, width, sizeof(interop::AovPixel)), height, 128u});
+    const std::uint32_t rows =
+        std::min({rows_per_band(device, width, sizeof(interop::AovPixel)), height, 128u});
     const Buffer pixels(device, std::uint64_t{width} * rows * sizeof(interop::AovPixel), "first hits");
     Bindings bindings = scene.bindings();
     bindings[interop::BINDING_AOV] = &pixels;

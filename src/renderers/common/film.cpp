@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/common/film.h"
 
+#include "base/check.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "base/check.h"
 
 namespace utsuri {
 namespace {
@@ -22,7 +22,8 @@ glm::dvec3 total(const glm::vec3& sum, const glm::vec3& compensation) {
 
 std::uint32_t rows_per_band(const Device& device, std::uint32_t width, std::size_t bytes_per_pixel) {
     const std::uint64_t limit = std::min(kLargestBand, device.summary().storage_range_bytes);
-    return static_cast<std::uint32_t>(std::max<std::uint64_t>(1, limit / (std::uint64_t{width} * bytes_per_pixel)));
+    return static_cast<std::uint32_t>(
+        std::max<std::uint64_t>(1, limit / (std::uint64_t{width} * bytes_per_pixel)));
 }
 
 Film::Film(Device& device, std::uint32_t width, std::uint32_t height, const std::string& name)
@@ -32,13 +33,15 @@ Film::Film(Device& device, std::uint32_t width, std::uint32_t height, const std:
     const std::uint32_t rows = rows_per_band(device, width, sizeof(interop::FilmPixel));
     for (std::uint32_t first = 0; first < height; first += rows) {
         const std::uint32_t count = std::min(rows, height - first);
-        bands_.push_back({first, count, Buffer(device, bytes(width, count), fmt::format("{}, row {}", name, first))});
+        bands_.push_back(
+            {first, count, Buffer(device, bytes(width, count), fmt::format("{}, row {}", name, first))});
     }
     clear();
 }
 
 void Film::clear() {
-    for (Band& band : bands_) band.pixels.fill_with_zero();
+    for (Band& band : bands_)
+        band.pixels.fill_with_zero();
     samples_ = 0;
 }
 
@@ -49,8 +52,8 @@ Image Film::resolve() const {
     for (const Band& band : bands_) {
         const auto pixels = band.pixels.download_records<interop::FilmPixel>(std::size_t{width_} * band.rows);
         for (const interop::FilmPixel& pixel : pixels) {
-            const glm::dvec3 sum = total(pixel.sum_even, pixel.compensation_even) +
-                                   total(pixel.sum_odd, pixel.compensation_odd);
+            const glm::dvec3 sum =
+                total(pixel.sum_even, pixel.compensation_even) + total(pixel.sum_odd, pixel.compensation_odd);
             image.pixels[at++] = glm::vec3(sum / static_cast<double>(samples_));
         }
     }
@@ -68,13 +71,15 @@ NoiseEstimate Film::estimate_noise() const {
             const glm::dvec3 even = total(pixel.sum_even, pixel.compensation_even) / half;
             const glm::dvec3 odd = total(pixel.sum_odd, pixel.compensation_odd) / half;
             const glm::dvec3 difference = even - odd;
-            squares += difference.x * difference.x + difference.y * difference.y + difference.z * difference.z;
+            squares +=
+                difference.x * difference.x + difference.y * difference.y + difference.z * difference.z;
             sum += 0.5 * (even.x + even.y + even.z + odd.x + odd.y + odd.z);
         }
     }
     const double values = 3.0 * static_cast<double>(width_) * static_cast<double>(height_);
     NoiseEstimate estimate;
-    // The variance of a half is half the mean squared difference; the mean of two halves has half of that again.
+    // The variance of a half is half the mean squared difference; the mean of two halves has half of that
+    // again.
     estimate.mse = 0.25 * squares / values;
     estimate.relative = sum > 0.0 ? std::sqrt(estimate.mse) / (sum / values) : 0.0;
     return estimate;

@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gpu/buffer.h"
+#include "image/image.h"
+
+#include "interop/frame.h"
+
 #include <cstdint>
 #include <vector>
 
-#include "gpu/buffer.h"
-#include "image/image.h"
-#include "interop/frame.h"
-
 namespace utsuri {
 
-/// Relative standard error of a picture, found from the difference of its two halves (even and odd samples): the root
-/// mean square error of the mean over the pixels' mean.
+/// Relative standard error of a picture, found from the difference of its two halves (even and odd samples):
+/// the root mean square error of the mean over the pixels' mean.
 struct NoiseEstimate {
-    double mse = 0.0;        ///< of the whole picture, (cd/m2)^2, mean over pixels and channels
-    double relative = 0.0;   ///< sqrt(mse) over the mean value; 0 for a black picture
+    double mse = 0.0;       ///< of the whole picture, (cd/m2)^2, mean over pixels and channels
+    double relative = 0.0;  ///< sqrt(mse) over the mean value; 0 for a black picture
 };
 
-/// The sums of samples of a picture, on the device. Held in bands of whole rows, because a picture can be larger than
-/// what a kernel may see of one buffer.
+/// The sums of samples of a picture, on the device. Held in bands of whole rows, because a picture can be
+/// larger than what a kernel may see of one buffer.
 class Film {
   public:
     struct Band {
         std::uint32_t first_row;
         std::uint32_t rows;
-        Buffer pixels;   ///< interop::FilmPixel
+        Buffer pixels;  ///< interop::FilmPixel
     };
 
     /// @throws DeviceError if it does not fit

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/common/film_kernel.h"
 
+#include "base/error.h"
+
+#include "interop/bindings.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-
-#include "base/error.h"
-#include "interop/bindings.h"
 
 namespace utsuri {
 namespace {
@@ -15,12 +16,13 @@ namespace {
 /// Every Vulkan device takes this many workgroups in a dispatch.
 constexpr std::uint32_t kMaxGroups = 65535;
 
-/// Ray queries that one invocation may make in a dispatch. Mesa's software driver ends all loops of an invocation after
-/// 65535 iterations together; a query takes some tens, 128 at most in scenes of a million triangles.
+/// Ray queries that one invocation may make in a dispatch. Mesa's software driver ends all loops of an
+/// invocation after 65535 iterations together; a query takes some tens, 128 at most in scenes of a million
+/// triangles.
 constexpr std::uint32_t kQueriesPerInvocation = 512;
 
-/// Samples that keep within kQueriesPerInvocation: at each surface of a specular chain there is a ray to find it, a
-/// shadow ray and a ray of the glossy lobe.
+/// Samples that keep within kQueriesPerInvocation: at each surface of a specular chain there is a ray to find
+/// it, a shadow ray and a ray of the glossy lobe.
 std::uint32_t most_samples_per_dispatch(std::uint32_t specular_depth) {
     const std::uint64_t queries = 3 * (std::uint64_t{specular_depth} + 1);
     return static_cast<std::uint32_t>(std::max<std::uint64_t>(1, kQueriesPerInvocation / queries));
@@ -29,14 +31,18 @@ std::uint32_t most_samples_per_dispatch(std::uint32_t specular_depth) {
 }  // namespace
 
 std::uint32_t tile_count(std::uint32_t width, std::uint32_t rows) {
-    const auto tiles = [](std::uint32_t pixels) { return (pixels + interop::TILE_SIZE - 1) / interop::TILE_SIZE; };
+    const auto tiles = [](std::uint32_t pixels) {
+        return (pixels + interop::TILE_SIZE - 1) / interop::TILE_SIZE;
+    };
     return tiles(width) * tiles(rows);
 }
 
 FilmKernel::FilmKernel(Device& device, std::string name, std::span<const std::uint32_t> spirv,
                        const Specialization& specialization, Bindings bindings)
-    : device_(&device), kernel_(device, name, spirv, specialization, sizeof(interop::FramePush)),
-      bindings_(std::move(bindings)), counters_(device, sizeof(interop::Counters), name + " counters") {
+    : device_(&device),
+      kernel_(device, name, spirv, specialization, sizeof(interop::FramePush)),
+      bindings_(std::move(bindings)),
+      counters_(device, sizeof(interop::Counters), name + " counters") {
     bindings_[interop::BINDING_COUNTERS] = &counters_;
 }
 
@@ -49,9 +55,8 @@ double FilmKernel::warm_up(Film& film) {
     interop::FramePush push{};
     push.width = film.width();
     push.height = film.height();
-    device_->run("compile a kernel", [&](const vk::raii::CommandBuffer& commands) {
-        kernel_.dispatch(commands, set, push, 1);
-    });
+    device_->run("compile a kernel",
+                 [&](const vk::raii::CommandBuffer& commands) { kernel_.dispatch(commands, set, push, 1); });
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -74,13 +79,15 @@ FrameCounts FilmKernel::add_samples(Film& film, const FrameSettings& settings, s
     const std::uint64_t tiles = tile_count(film.width(), film.height());
     std::uint32_t done = 0;
     while (done < count && !progress.cancelled()) {
-        // Small pictures take several samples in a dispatch; in large ones a dispatch is a part of one sample.
-        const std::uint64_t fitting = std::clamp<std::uint64_t>(budget_.next_units() / tiles, 1,
-                                                                most_samples_per_dispatch(settings.specular_depth));
+        // Small pictures take several samples in a dispatch; in large ones a dispatch is a part of one
+        // sample.
+        const std::uint64_t fitting = std::clamp<std::uint64_t>(
+            budget_.next_units() / tiles, 1, most_samples_per_dispatch(settings.specular_depth));
         const auto now = static_cast<std::uint32_t>(std::min<std::uint64_t>(count - done, fitting));
         push.sample_begin = film.samples();
         push.sample_end = film.samples() + now;
-        for (std::size_t i = 0; i < sets.size(); ++i) add_band(film, film.bands()[i], sets[i], push, counts);
+        for (std::size_t i = 0; i < sets.size(); ++i)
+            add_band(film, film.bands()[i], sets[i], push, counts);
         film.note_samples(now);
         done += now;
         progress.update(done, count);
@@ -106,9 +113,10 @@ void FilmKernel::add_band(const Film& film, const Film::Band& band, const Bindin
         budget_.record(std::uint64_t{now} * samples, seconds);
         const auto totals = counters_.download_records<interop::Counters>(1).front();
         if (totals.incomplete > 0) {
-            throw DeviceError("render", device_->summary().name,
-                              fmt::format("the driver ended the loops of {} pixels early; use a smaller --depth",
-                                          totals.incomplete));
+            throw DeviceError(
+                "render", device_->summary().name,
+                fmt::format("the driver ended the loops of {} pixels early; use a smaller --depth",
+                            totals.incomplete));
         }
         counts.rays += totals.rays;
         counts.nonfinite += totals.nonfinite;

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <span>
+#include "renderers/common/film.h"
 
 #include "base/progress.h"
 #include "gpu/dispatch_budget.h"
 #include "gpu/kernel.h"
-#include "renderers/common/film.h"
+
+#include <cstdint>
+#include <span>
 
 namespace utsuri {
 
 /// Totals over dispatches.
 struct FrameCounts {
-    std::uint64_t rays = 0;        ///< closest-hit and any-hit queries
-    std::uint64_t nonfinite = 0;   ///< samples that were not finite and were left out
-    std::uint64_t lookups = 0;     ///< specular directions resolved
-    std::uint64_t traced = 0;      ///< of those, by following a ray
-    std::uint64_t truncated = 0;   ///< specular chains cut at the depth bound
-    double gpu_seconds = 0.0;      ///< by the device's clock
+    std::uint64_t rays = 0;       ///< closest-hit and any-hit queries
+    std::uint64_t nonfinite = 0;  ///< samples that were not finite and were left out
+    std::uint64_t lookups = 0;    ///< specular directions resolved
+    std::uint64_t traced = 0;     ///< of those, by following a ray
+    std::uint64_t truncated = 0;  ///< specular chains cut at the depth bound
+    double gpu_seconds = 0.0;     ///< by the device's clock
 };
 
 /// What one call of FilmKernel::add_samples() renders.
@@ -29,8 +30,8 @@ struct FrameSettings {
     std::uint32_t excluded_instance = interop::NONE;
 };
 
-/// A kernel that adds samples to a film. Its work is cut into dispatches that adapt to a time budget; how it is cut
-/// never changes the picture.
+/// A kernel that adds samples to a film. Its work is cut into dispatches that adapt to a time budget; how it
+/// is cut never changes the picture.
 class FilmKernel {
   public:
     FilmKernel(Device& device, std::string name, std::span<const std::uint32_t> spirv,
@@ -38,19 +39,21 @@ class FilmKernel {
     FilmKernel(const FilmKernel&) = delete;
     FilmKernel& operator=(const FilmKernel&) = delete;
 
-    /// Compiles the pipeline for real (drivers put that off until the first dispatch), without adding samples.
+    /// Compiles the pipeline for real (drivers put that off until the first dispatch), without adding
+    /// samples.
     /// @return seconds on the host
     double warm_up(Film& film);
 
-    /// Adds samples number film.samples() to film.samples() + count - 1 to every pixel. Stops early, at a whole
-    /// number of samples, if progress says so.
+    /// Adds samples number film.samples() to film.samples() + count - 1 to every pixel. Stops early, at a
+    /// whole number of samples, if progress says so.
     /// @param progress told about this call's samples; `begin` is left to the caller
     /// @return totals of this call
-    FrameCounts add_samples(Film& film, const FrameSettings& settings, std::uint32_t count, Progress& progress);
+    FrameCounts add_samples(Film& film, const FrameSettings& settings, std::uint32_t count,
+                            Progress& progress);
 
   private:
-    void add_band(const Film& film, const Film::Band& band, const BindingSet& bindings, interop::FramePush push,
-                  FrameCounts& counts);
+    void add_band(const Film& film, const Film::Band& band, const BindingSet& bindings,
+                  interop::FramePush push, FrameCounts& counts);
 
     Device* device_;
     Kernel kernel_;

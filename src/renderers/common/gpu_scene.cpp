@@ -27,11 +27,14 @@ Specialization specialise(const SceneData& data) {
 }  // namespace
 
 GpuScene::GpuScene(Device& device, const SceneData& data)
-    : specialization_(specialise(data)), nodes_(upload(device, data.bvh.nodes, "BVH nodes")),
+    : specialization_(specialise(data)),
+      nodes_(upload(device, data.bvh.nodes, "BVH nodes")),
       triangles_(upload(device, data.bvh.triangles, "BVH triangles")),
       triangle_infos_(upload(device, data.triangle_infos, "triangle infos")),
-      normals_(upload(device, data.normals, "normals")), texcoords_(upload(device, data.texcoords, "texcoords")),
-      materials_(upload(device, data.materials, "materials")), lights_(upload(device, data.lights, "lights")),
+      normals_(upload(device, data.normals, "normals")),
+      texcoords_(upload(device, data.texcoords, "texcoords")),
+      materials_(upload(device, data.materials, "materials")),
+      lights_(upload(device, data.lights, "lights")),
       light_table_(upload(device, data.light_table, "light table")),
       texture_headers_(upload(device, data.texture_headers, "texture headers")),
       texels_(upload(device, data.texels, "texels")) {}

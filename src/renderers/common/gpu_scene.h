@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/common/scene_data.h"
+
 #include "gpu/buffer.h"
 #include "gpu/kernel.h"
-#include "renderers/common/scene_data.h"
 
 namespace utsuri {
 
@@ -15,7 +16,8 @@ class GpuScene {
     GpuScene(const GpuScene&) = delete;
     GpuScene& operator=(const GpuScene&) = delete;
 
-    /// Binding numbers of the scene's buffers. Buffers the scene does not require stand in as one zeroed record.
+    /// Binding numbers of the scene's buffers. Buffers the scene does not require stand in as one zeroed
+    /// record.
     [[nodiscard]] Bindings bindings() const;
     /// Values of the constants that follow from the scene.
     [[nodiscard]] const Specialization& specialization() const { return specialization_; }

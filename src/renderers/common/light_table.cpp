@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/common/light_table.h"
 
-#include <numeric>
-
 #include "base/check.h"
+
+#include <numeric>
 
 namespace utsuri {
 
@@ -35,7 +35,8 @@ std::vector<interop::LightTableEntry> make_light_table(std::span<const double> w
     }
     // What is left on either side is full up to rounding.
     for (const auto* rest : {&small, &large}) {
-        for (const std::uint32_t i : *rest) table[i] = {1.0f, i};
+        for (const std::uint32_t i : *rest)
+            table[i] = {1.0f, i};
     }
     return table;
 }

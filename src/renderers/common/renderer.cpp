@@ -17,7 +17,8 @@ void accumulate(FrameCounts& a, const FrameCounts& b) {
 void Renderer::add_samples(Film& film, std::uint32_t count, Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     accumulate(statistics_.counts, render(film, count, progress));
-    statistics_.frame_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    statistics_.frame_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace utsuri

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <string>
+#include "renderers/common/film_kernel.h"
 
 #include "base/progress.h"
-#include "renderers/common/film_kernel.h"
 #include "scene/camera.h"
+
+#include <cstdint>
+#include <string>
 
 namespace utsuri {
 
@@ -15,15 +16,15 @@ struct RenderSettings {
     std::uint32_t width = 512;
     std::uint32_t height = 384;
     std::uint32_t seed = 0;
-    std::uint32_t specular_depth = 8;   ///< most specular reflections followed
+    std::uint32_t specular_depth = 8;  ///< most specular reflections followed
 };
 
 /// What a picture took so far.
 struct RenderStatistics {
-    double prepare_seconds = 0.0;   ///< maps and the like, pipelines excluded
-    double compile_seconds = 0.0;   ///< pipelines
-    double frame_seconds = 0.0;     ///< wall time of the samples
-    FrameCounts counts;             ///< of the samples, preparation excluded
+    double prepare_seconds = 0.0;  ///< maps and the like, pipelines excluded
+    double compile_seconds = 0.0;  ///< pipelines
+    double frame_seconds = 0.0;    ///< wall time of the samples
+    FrameCounts counts;            ///< of the samples, preparation excluded
     FrameCounts prepare_counts;
 };
 
@@ -38,8 +39,8 @@ class Renderer {
     /// Captures maps, compiles pipelines: all that is done once before the first sample.
     /// @throws Interrupted if progress says so
     virtual void prepare(Progress& progress) = 0;
-    /// Adds `count` samples to each pixel of the film, or fewer if progress says so. The same picture results from
-    /// any split of the samples over calls. prepare() comes first.
+    /// Adds `count` samples to each pixel of the film, or fewer if progress says so. The same picture results
+    /// from any split of the samples over calls. prepare() comes first.
     void add_samples(Film& film, std::uint32_t count, Progress& progress);
 
     [[nodiscard]] const RenderStatistics& statistics() const { return statistics_; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/common/scene_data.h"
 
+#include "renderers/common/light_table.h"
+
 #include <glm/geometric.hpp>
 
 #include <chrono>
@@ -8,15 +10,14 @@
 #include <map>
 #include <numbers>
 
-#include "renderers/common/light_table.h"
-
 namespace utsuri {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
 double rec709_luminance(const glm::vec3& c) {
-    return 0.2126 * static_cast<double>(c.x) + 0.7152 * static_cast<double>(c.y) + 0.0722 * static_cast<double>(c.z);
+    return 0.2126 * static_cast<double>(c.x) + 0.7152 * static_cast<double>(c.y) +
+           0.0722 * static_cast<double>(c.z);
 }
 
 /// Gives each texture in use its place in the texel buffer.
@@ -39,9 +40,9 @@ class TextureTable {
         data_.texture_headers.push_back(
             {static_cast<std::uint32_t>(data_.texels.size()), texture.width, texture.height});
         for (std::size_t i = 0; i < texture.rgba.size(); i += 4) {
-            data_.texels.push_back(std::uint32_t{texture.rgba[i]} | (std::uint32_t{texture.rgba[i + 1]} << 8) |
-                                   (std::uint32_t{texture.rgba[i + 2]} << 16) |
-                                   (std::uint32_t{texture.rgba[i + 3]} << 24));
+            data_.texels.push_back(
+                std::uint32_t{texture.rgba[i]} | (std::uint32_t{texture.rgba[i + 1]} << 8) |
+                (std::uint32_t{texture.rgba[i + 2]} << 16) | (std::uint32_t{texture.rgba[i + 3]} << 24));
         }
     }
 
@@ -116,7 +117,8 @@ class LightList {
         info.position = glm::vec3(light.position - origin);
         info.direction = glm::vec3(light.direction);
         info.intensity = light.intensity;
-        info.range = light.range > 0.0 ? static_cast<float>(light.range) : std::numeric_limits<float>::infinity();
+        info.range =
+            light.range > 0.0 ? static_cast<float>(light.range) : std::numeric_limits<float>::infinity();
         const double cos_outer = std::cos(light.outer_cone_angle);
         const double scale = 1.0 / std::max(0.001, std::cos(light.inner_cone_angle) - cos_outer);
         info.spot_scale = static_cast<float>(scale);
@@ -142,7 +144,8 @@ class LightList {
         const double area = triangle_area(data_.bvh.triangles[triangle]);
         const std::size_t before = data_.lights.size();
         add(info, kPi * area * rec709_luminance(radiance) * (double_sided ? 2.0 : 1.0));
-        if (data_.lights.size() > before) data_.triangle_infos[triangle].light = static_cast<std::uint32_t>(before);
+        if (data_.lights.size() > before)
+            data_.triangle_infos[triangle].light = static_cast<std::uint32_t>(before);
     }
 
     void finish() { data_.light_table = make_light_table(weights_, data_.lights); }
@@ -165,9 +168,11 @@ void add_triangles(const Scene& scene, const WorldGeometry& world, SceneData& da
 void add_lights(const Scene& scene, SceneData& data) {
     LightList lights(data);
     if (data.requirements.environment) lights.add_environment(scene.environment);
-    for (const Light& light : scene.lights) lights.add_punctual(light, data.origin);
+    for (const Light& light : scene.lights)
+        lights.add_punctual(light, data.origin);
     std::vector<glm::vec3> emission;
-    for (const Material& material : scene.materials) emission.push_back(mean_emission(scene, material));
+    for (const Material& material : scene.materials)
+        emission.push_back(mean_emission(scene, material));
     for (std::uint32_t i = 0; i < data.triangle_infos.size(); ++i) {
         const std::uint32_t material = data.triangle_infos[i].material;
         if (emission[material] == glm::vec3(0.0f)) continue;
@@ -197,8 +202,9 @@ SceneData prepare_scene_data(const Scene& scene) {
 
 std::uint64_t SceneData::device_bytes() const {
     const auto bytes = [](const auto& records) { return records.size() * sizeof(records[0]); };
-    return bytes(bvh.nodes) + bytes(bvh.triangles) + bytes(triangle_infos) + bytes(normals) + bytes(texcoords) +
-           bytes(materials) + bytes(lights) + bytes(light_table) + bytes(texture_headers) + bytes(texels);
+    return bytes(bvh.nodes) + bytes(bvh.triangles) + bytes(triangle_infos) + bytes(normals) +
+           bytes(texcoords) + bytes(materials) + bytes(lights) + bytes(light_table) + bytes(texture_headers) +
+           bytes(texels);
 }
 
 }  // namespace utsuri

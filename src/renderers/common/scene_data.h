@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "geometry/bvh.h"
-#include "interop/scene.h"
 #include "scene/requirements.h"
 #include "scene/scene.h"
 #include "scene/world_geometry.h"
+
+#include "interop/scene.h"
+
+#include <cstdint>
+#include <vector>
 
 namespace utsuri {
 
 /// A scene in the form the device reads, still on the host. Only what the scene requires is filled.
 struct SceneData {
     Requirements requirements;
-    glm::dvec3 origin{0.0};   ///< of scene space, in world space
-    Bounds bounds;            ///< scene space
+    glm::dvec3 origin{0.0};  ///< of scene space, in world space
+    Bounds bounds;           ///< scene space
     Bvh bvh;
-    std::vector<interop::TriangleInfo> triangle_infos;   ///< device order
+    std::vector<interop::TriangleInfo> triangle_infos;  ///< device order
     std::vector<glm::vec3> normals;
-    std::vector<glm::vec2> texcoords;                    ///< only with textures
+    std::vector<glm::vec2> texcoords;  ///< only with textures
     std::vector<interop::MaterialInfo> materials;
-    std::vector<interop::LightInfo> lights;              ///< the environment, if any, first
+    std::vector<interop::LightInfo> lights;  ///< the environment, if any, first
     std::vector<interop::LightTableEntry> light_table;
-    std::vector<interop::TextureHeader> texture_headers; ///< only textures in use
-    std::vector<std::uint32_t> texels;                   ///< RGBA8, red in the lowest byte
-    double build_seconds = 0.0;                          ///< of the BVH
+    std::vector<interop::TextureHeader> texture_headers;  ///< only textures in use
+    std::vector<std::uint32_t> texels;                    ///< RGBA8, red in the lowest byte
+    double build_seconds = 0.0;                           ///< of the BVH
 
     /// What the scene takes on the device, in bytes.
     [[nodiscard]] std::uint64_t device_bytes() const;

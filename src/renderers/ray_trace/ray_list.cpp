@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/ray_trace/ray_list.h"
 
-#include <algorithm>
-
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/trace_rays.h"
+
+#include <algorithm>
 
 namespace utsuri {
 namespace {
@@ -15,13 +15,15 @@ Specialization with_query(Specialization specialization, RayQuery query) {
     return specialization;
 }
 
-/// Rays of one dispatch: some tens of milliseconds in software, and less than the workgroups a dispatch may have.
+/// Rays of one dispatch: some tens of milliseconds in software, and less than the workgroups a dispatch may
+/// have.
 constexpr std::uint32_t kRaysPerDispatch = 1u << 18;
 
 }  // namespace
 
 RayList::RayList(Device& device, const GpuScene& scene, RayQuery query)
-    : device_(device), scene_(scene),
+    : device_(device),
+      scene_(scene),
       kernel_(device, "trace_rays", kernels::trace_rays, with_query(scene.specialization(), query),
               sizeof(interop::TraceRaysPush)) {}
 
@@ -48,6 +50,8 @@ double RayList::trace() {
     return seconds;
 }
 
-std::vector<interop::HitInfo> RayList::hits() const { return hits_->download_records<interop::HitInfo>(count_); }
+std::vector<interop::HitInfo> RayList::hits() const {
+    return hits_->download_records<interop::HitInfo>(count_);
+}
 
 }  // namespace utsuri

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
-#include <vector>
+#include "renderers/common/gpu_scene.h"
 
 #include "interop/rays.h"
-#include "renderers/common/gpu_scene.h"
+
+#include <span>
+#include <vector>
 
 namespace utsuri {
 

@@ -7,7 +7,8 @@ namespace utsuri {
 
 RayTracer::RayTracer(Device& device, const GpuScene& scene, const interop::CameraInfo& camera,
                      const RenderSettings& settings)
-    : device_(device), frame_{camera, settings.seed, settings.specular_depth, interop::NONE},
+    : device_(device),
+      frame_{camera, settings.seed, settings.specular_depth, interop::NONE},
       kernel_(device, "trace_direct", kernels::trace_direct, scene.specialization(), scene.bindings()) {}
 
 void RayTracer::prepare(Progress&) {

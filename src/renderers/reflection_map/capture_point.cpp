@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/capture_point.h"
 
+#include "geometry/reference_intersection.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -8,8 +10,6 @@
 #include <numbers>
 #include <optional>
 #include <vector>
-
-#include "geometry/reference_intersection.h"
 
 namespace utsuri {
 namespace {
@@ -46,15 +46,17 @@ std::vector<std::uint32_t> triangles_of(const SceneData& scene, std::uint32_t in
     return result;
 }
 
-/// Whether most of a spread of points on the instance are outside other geometry. An instance whose surface sees as
-/// many backs as its centre is not buried: the scene just shows it backs, like a room modelled inside out.
+/// Whether most of a spread of points on the instance are outside other geometry. An instance whose surface
+/// sees as many backs as its centre is not buried: the scene just shows it backs, like a room modelled inside
+/// out.
 bool is_exposed(const SceneData& scene, std::uint32_t instance, const std::vector<std::uint32_t>& triangles) {
     const std::size_t step = std::max<std::size_t>(1, triangles.size() / kSurfaceSamples);
     std::size_t samples = 0;
     std::size_t inside = 0;
     for (std::size_t i = 0; i < triangles.size(); i += step, ++samples) {
         const interop::BvhTriangle& triangle = scene.bvh.triangles[triangles[i]];
-        const glm::dvec3 centre = (glm::dvec3(triangle.v0) + glm::dvec3(triangle.v1) + glm::dvec3(triangle.v2)) / 3.0;
+        const glm::dvec3 centre =
+            (glm::dvec3(triangle.v0) + glm::dvec3(triangle.v1) + glm::dvec3(triangle.v2)) / 3.0;
         if (is_inside_geometry(scene, instance, centre)) ++inside;
     }
     return 2 * inside < samples;
@@ -100,7 +102,8 @@ glm::dvec3 find_capture_point(const SceneData& scene, std::uint32_t instance) {
     }
     if (bounds.empty()) return glm::dvec3(0.0);
     const glm::dvec3 centre = 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
-    if (!is_inside_geometry(scene, instance, centre) || !is_exposed(scene, instance, triangles)) return centre;
+    if (!is_inside_geometry(scene, instance, centre) || !is_exposed(scene, instance, triangles))
+        return centre;
     return move_out(scene, instance, centre, 0.5 * glm::length(glm::dvec3(bounds.extent())));
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/map_renderer.h"
 
-#include <chrono>
+#include "renderers/common/frame_camera.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/polygon_map.h"
 #include "kernels/reflect_vertices.h"
 #include "kernels/sphere_map.h"
-#include "renderers/common/frame_camera.h"
+
+#include <chrono>
 
 namespace utsuri {
 namespace {
@@ -27,14 +28,20 @@ Specialization with_map_size(Specialization specialization, std::uint32_t size) 
 
 MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& scene, const Camera& camera,
                          MapKind kind, const RenderSettings& settings, const MapSettings& map_settings)
-    : device_(device), scene_(scene), camera_(camera), settings_(settings),
-      eye_(glm::vec3(camera.position - data.origin)), maps_(device, data, kind, map_settings),
-      vertices_(make_buffer<interop::ReflectorVertex>(device, maps_.reflectors().vertices, "reflector vertices")),
-      vertex_reflections_(device,
-                          std::max<std::size_t>(1, maps_.reflectors().vertices.size()) *
-                              sizeof(interop::VertexReflection),
-                          "vertex reflections"),
-      vertex_kernel_(device, "reflect_vertices", kernels::reflect_vertices, {}, sizeof(interop::ReflectVerticesPush)),
+    : device_(device),
+      scene_(scene),
+      camera_(camera),
+      settings_(settings),
+      eye_(glm::vec3(camera.position - data.origin)),
+      maps_(device, data, kind, map_settings),
+      vertices_(
+          make_buffer<interop::ReflectorVertex>(device, maps_.reflectors().vertices, "reflector vertices")),
+      vertex_reflections_(
+          device,
+          std::max<std::size_t>(1, maps_.reflectors().vertices.size()) * sizeof(interop::VertexReflection),
+          "vertex reflections"),
+      vertex_kernel_(device, "reflect_vertices", kernels::reflect_vertices, {},
+                     sizeof(interop::ReflectVerticesPush)),
       vertex_bindings_(vertex_kernel_.bind({{interop::BINDING_REFLECTOR_VERTICES, &vertices_},
                                             {interop::BINDING_VERTEX_REFLECTIONS, &vertex_reflections_}})),
       frame_{make_camera_info(camera, data.origin, settings.width, settings.height), settings.seed,

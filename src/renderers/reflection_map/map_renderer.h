@@ -5,12 +5,13 @@
 
 namespace utsuri {
 
-/// direct/polygon-map and direct/sphere-map: what the first hit reflects is looked up in maps captured beforehand.
+/// direct/polygon-map and direct/sphere-map: what the first hit reflects is looked up in maps captured
+/// beforehand.
 class MapRenderer : public Renderer {
   public:
     /// `device`, `data` and `scene` must outlive this.
-    MapRenderer(Device& device, const SceneData& data, const GpuScene& scene, const Camera& camera, MapKind kind,
-                const RenderSettings& settings, const MapSettings& map_settings);
+    MapRenderer(Device& device, const SceneData& data, const GpuScene& scene, const Camera& camera,
+                MapKind kind, const RenderSettings& settings, const MapSettings& map_settings);
 
     void prepare(Progress& progress) override;
 

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/reflection_maps.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
+#include "renderers/reflection_map/capture_point.h"
 
 #include "base/error.h"
+
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/resolve_map.h"
 #include "kernels/trace_direct.h"
-#include "renderers/reflection_map/capture_point.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
 
 namespace utsuri {
 namespace {
@@ -27,12 +29,13 @@ std::uint64_t total_texels(const Device& device, std::size_t reflectors, std::ui
     const std::uint64_t limit = device.summary().storage_range_bytes / sizeof(glm::vec3);
     if (count * texels_per_map(settings.size) > limit) {
         const double per_map = std::sqrt(static_cast<double>(limit) / static_cast<double>(count));
-        throw UsageError("capture reflection maps", fmt::format("of {} texels for {} reflective objects",
-                                                                settings.size, reflectors),
-                         fmt::format("they need {} MiB and {} can see {} MiB of a buffer; --map-size may be at most {}",
-                                     count * texels_per_map(settings.size) * sizeof(glm::vec3) >> 20,
-                                     device.summary().name, device.summary().storage_range_bytes >> 20,
-                                     std::max(1, static_cast<int>(per_map) - 2)));
+        throw UsageError(
+            "capture reflection maps",
+            fmt::format("of {} texels for {} reflective objects", settings.size, reflectors),
+            fmt::format("they need {} MiB and {} can see {} MiB of a buffer; --map-size may be at most {}",
+                        count * texels_per_map(settings.size) * sizeof(glm::vec3) >> 20,
+                        device.summary().name, device.summary().storage_range_bytes >> 20,
+                        std::max(1, static_cast<int>(per_map) - 2)));
     }
     return count * texels_per_map(settings.size);
 }
@@ -58,19 +61,25 @@ glm::vec3 axis(std::uint32_t index) {
 
 }  // namespace
 
-ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind kind, const MapSettings& settings)
-    : device_(&device), kind_(kind), settings_(settings), reflectors_(find_reflectors(data)),
+ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind kind,
+                               const MapSettings& settings)
+    : device_(&device),
+      kind_(kind),
+      settings_(settings),
+      reflectors_(find_reflectors(data)),
       infos_(place_reflectors(data, reflectors_, maps_per_reflector(), settings)),
       instance_reflectors_(
           make_buffer<std::uint32_t>(device, reflectors_.instance_reflectors, "reflector of each instance")),
       reflector_infos_(make_buffer<interop::ReflectorInfo>(device, infos_, "reflectors")),
       vertex_slots_(make_buffer<std::uint32_t>(device, reflectors_.vertex_slots, "slot of each vertex")),
-      texels_(device,
-              std::max<std::uint64_t>(1, total_texels(device, infos_.size(), maps_per_reflector(), settings)) *
-                  sizeof(glm::vec3),
-              "reflection maps") {}
+      texels_(
+          device,
+          std::max<std::uint64_t>(1, total_texels(device, infos_.size(), maps_per_reflector(), settings)) *
+              sizeof(glm::vec3),
+          "reflection maps") {}
 
-interop::CameraInfo ReflectionMaps::map_camera(std::uint32_t reflector, std::uint32_t face, const Camera& eye) const {
+interop::CameraInfo ReflectionMaps::map_camera(std::uint32_t reflector, std::uint32_t face,
+                                               const Camera& eye) const {
     // The picture reaches half a border texel's neighbours beyond the map: see MAP_BORDER.
     const float edge = static_cast<float>(stride()) / static_cast<float>(settings_.size);
     interop::CameraInfo camera{};
@@ -96,7 +105,8 @@ FrameCounts ReflectionMaps::capture(const GpuScene& scene, const Camera& eye, co
     specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
     specialization[interop::SPEC_PROJECTION] =
         kind_ == MapKind::polygon ? interop::PROJECTION_PERSPECTIVE : interop::PROJECTION_SPHERE_MAP;
-    FilmKernel tracer(*device_, "trace_direct for maps", kernels::trace_direct, specialization, scene.bindings());
+    FilmKernel tracer(*device_, "trace_direct for maps", kernels::trace_direct, specialization,
+                      scene.bindings());
     const Kernel resolver(*device_, "resolve_map", kernels::resolve_map, {}, sizeof(interop::ResolveMapPush));
     Film film(*device_, stride(), stride(), "map film");
     seconds_to_compile = tracer.warm_up(film);
@@ -121,8 +131,8 @@ FrameCounts ReflectionMaps::capture(const GpuScene& scene, const Camera& eye, co
             push.texels = stride() * band.rows;
             push.first_texel = infos_[reflector].first_texel +
                                (map % maps_per_reflector() * stride() + band.first_row) * stride();
-            const BindingSet set = resolver.bind({{interop::BINDING_FILM, &band.pixels},
-                                                  {interop::BINDING_MAP_TEXELS, &texels_}});
+            const BindingSet set = resolver.bind(
+                {{interop::BINDING_FILM, &band.pixels}, {interop::BINDING_MAP_TEXELS, &texels_}});
             counts.gpu_seconds += device_->run("resolve a map", [&](const vk::raii::CommandBuffer& commands) {
                 resolver.dispatch(commands, set, push, (push.texels + 63) / 64);
             });

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/common/film_kernel.h"
+#include "renderers/common/gpu_scene.h"
+#include "renderers/common/renderer.h"
+#include "renderers/reflection_map/reflectors.h"
+
+#include "base/progress.h"
+
 #include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <optional>
 #include <vector>
-
-#include "base/progress.h"
-#include "renderers/common/film_kernel.h"
-#include "renderers/common/gpu_scene.h"
-#include "renderers/common/renderer.h"
-#include "renderers/reflection_map/reflectors.h"
 
 namespace utsuri {
 
@@ -21,15 +22,16 @@ enum class MapKind {
 };
 
 struct MapSettings {
-    std::uint32_t size = 256;        ///< texels along an edge of a map, [1, 4096]
-    std::uint32_t samples = 16;      ///< per texel, >= 1
-    std::optional<glm::dvec3> capture_point;   ///< world space; each reflector's own if not set
+    std::uint32_t size = 256;                 ///< texels along an edge of a map, [1, 4096]
+    std::uint32_t samples = 16;               ///< per texel, >= 1
+    std::optional<glm::dvec3> capture_point;  ///< world space; each reflector's own if not set
 };
 
 /// Maps captured for every reflective instance by the tracing kernel, without the instance itself.
 class ReflectionMaps {
   public:
-    /// @throws UsageError if the maps cannot fit into one buffer of the device, with the largest size that would
+    /// @throws UsageError if the maps cannot fit into one buffer of the device, with the largest size that
+    /// would
     ReflectionMaps(Device& device, const SceneData& data, MapKind kind, const MapSettings& settings);
 
     /// Renders the maps.
@@ -48,7 +50,8 @@ class ReflectionMaps {
 
   private:
     [[nodiscard]] std::uint32_t stride() const { return settings_.size + 2 * interop::MAP_BORDER; }
-    [[nodiscard]] interop::CameraInfo map_camera(std::uint32_t reflector, std::uint32_t face, const Camera& eye) const;
+    [[nodiscard]] interop::CameraInfo map_camera(std::uint32_t reflector, std::uint32_t face,
+                                                 const Camera& eye) const;
 
     Device* device_;
     MapKind kind_;

@@ -7,7 +7,8 @@ Reflectors find_reflectors(const SceneData& scene) {
     Reflectors result;
     result.instances = scene.requirements.reflective_instances;
     result.instance_reflectors.assign(scene.requirements.instances, interop::NONE);
-    for (std::uint32_t i = 0; i < result.instances.size(); ++i) result.instance_reflectors[result.instances[i]] = i;
+    for (std::uint32_t i = 0; i < result.instances.size(); ++i)
+        result.instance_reflectors[result.instances[i]] = i;
     result.vertex_slots.assign(scene.normals.size(), interop::NONE);
     for (std::size_t t = 0; t < scene.triangle_infos.size(); ++t) {
         const interop::TriangleInfo& info = scene.triangle_infos[t];

@@ -7,7 +7,8 @@ namespace utsuri {
 namespace {
 
 TEST(Error, ReadsOperationObjectProblem) {
-    EXPECT_STREQ(InputError("read scene", "'a.glb'", "no such file").what(), "read scene 'a.glb': no such file");
+    EXPECT_STREQ(InputError("read scene", "'a.glb'", "no such file").what(),
+                 "read scene 'a.glb': no such file");
     EXPECT_STREQ(DeviceError("choose a Vulkan device", "", "none is there").what(),
                  "choose a Vulkan device: none is there");
 }

@@ -70,11 +70,13 @@ std::string input_error_of(Function&& function) {
 
 TEST_F(File, ReadsBackEveryByte) {
     std::string all(256, '\0');
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<char>(i);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i] = static_cast<char>(i);
     write_text_atomically(folder_ / "all.bin", all);
     const std::vector<std::byte> bytes = read_file(folder_ / "all.bin", "read test file");
     ASSERT_EQ(bytes.size(), all.size());
-    for (std::size_t i = 0; i < bytes.size(); ++i) ASSERT_EQ(std::to_integer<std::size_t>(bytes[i]), i);
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        ASSERT_EQ(std::to_integer<std::size_t>(bytes[i]), i);
 }
 
 TEST_F(File, ReadsAnEmptyFile) {
@@ -138,7 +140,8 @@ TEST_F(File, TellsThatADeviceWithoutSpaceIsFull) {
     if (!fs::exists(full)) GTEST_SKIP() << "no device that is always full";
     // A link takes the place of the temporary file, so that writing into it fails as on a full disk.
     fs::create_symlink(full, folder_ / "a.partial.json");
-    EXPECT_THAT(input_error_of([&] { write_text_atomically(folder_ / "a.json", "x"); }), HasSubstr("disk full"));
+    EXPECT_THAT(input_error_of([&] { write_text_atomically(folder_ / "a.json", "x"); }),
+                HasSubstr("disk full"));
     EXPECT_THAT(names(), IsEmpty());
 }
 

@@ -15,12 +15,15 @@ constexpr std::uint32_t kSeeds[] = {0u, 1u, 0x5bd1e995u, 0xffffffffu};
 
 std::uint32_t reversed(std::uint32_t x) {
     std::uint32_t result = 0;
-    for (int bit = 0; bit < 32; ++bit) result |= ((x >> bit) & 1u) << (31 - bit);
+    for (int bit = 0; bit < 32; ++bit)
+        result |= ((x >> bit) & 1u) << (31 - bit);
     return result;
 }
 
 /// x with its lowest `bits` bits only.
-std::uint32_t low_bits(std::uint32_t x, int bits) { return bits == 32 ? x : x & ((1u << bits) - 1u); }
+std::uint32_t low_bits(std::uint32_t x, int bits) {
+    return bits == 32 ? x : x & ((1u << bits) - 1u);
+}
 
 /// How often each of the 2^bits boxes of size 2^-columns x 2^-(bits - columns) holds one of the points.
 std::vector<int> box_counts(const std::vector<glm::uvec2>& points, int bits, int columns) {
@@ -53,7 +56,8 @@ TEST(Sampler, HashHasTheKnownAnswersOfPcg) {
 TEST(Sampler, HashIsInjective) {
     // 2^20 values of a random function would hold about 2^40 / 2^33 = 128 equal pairs.
     std::vector<std::uint32_t> values;
-    for (std::uint32_t x = 0; x < 1u << 20; ++x) values.push_back(hash(x * 0x9e3779b1u));
+    for (std::uint32_t x = 0; x < 1u << 20; ++x)
+        values.push_back(hash(x * 0x9e3779b1u));
     std::sort(values.begin(), values.end());
     EXPECT_EQ(std::adjacent_find(values.begin(), values.end()), values.end());
 }
@@ -84,21 +88,25 @@ TEST(Sampler, SobolIsLinearOverBits) {
 TEST(Sampler, SobolPrefixesAreNets) {
     for (int bits = 0; bits <= 12; ++bits) {
         std::vector<glm::uvec2> points;
-        for (std::uint32_t i = 0; i < 1u << bits; ++i) points.push_back(sobol_2d(i));
+        for (std::uint32_t i = 0; i < 1u << bits; ++i)
+            points.push_back(sobol_2d(i));
         expect_net(points, bits);
     }
 }
 
 TEST(Sampler, OwenScrambleDecidesEachBitByTheBitsAboveIt) {
-    // The upper k bits of the result depend on nothing but the upper k bits of x, and the map is a permutation.
+    // The upper k bits of the result depend on nothing but the upper k bits of x, and the map is a
+    // permutation.
     for (const std::uint32_t seed : kSeeds) {
         for (int k = 1; k <= 12; ++k) {
             std::set<std::uint32_t> results;
             for (std::uint32_t prefix = 0; prefix < 1u << k; ++prefix) {
                 const std::uint32_t x = prefix << (32 - k);
                 const std::uint32_t expected = owen_scramble(x, seed) >> (32 - k);
-                const std::uint32_t other = owen_scramble(x | low_bits(hash(prefix), 32 - k), seed) >> (32 - k);
-                ASSERT_EQ(other, expected) << "seed " << seed << ", prefix " << prefix << " of " << k << " bits";
+                const std::uint32_t other =
+                    owen_scramble(x | low_bits(hash(prefix), 32 - k), seed) >> (32 - k);
+                ASSERT_EQ(other, expected)
+                    << "seed " << seed << ", prefix " << prefix << " of " << k << " bits";
                 results.insert(expected);
             }
             ASSERT_EQ(results.size(), std::size_t{1} << k);

@@ -119,7 +119,8 @@ TEST_F(BvhCheck, FindsALeafThatDropsATriangle) {
 }
 
 TEST_F(BvhCheck, FindsTwoLeavesOfOneTriangle) {
-    for (interop::BvhNode& node : bvh_.nodes) node.bases_meta.y = 0;
+    for (interop::BvhNode& node : bvh_.nodes)
+        node.bases_meta.y = 0;
     EXPECT_NE(problem(), "");
 }
 

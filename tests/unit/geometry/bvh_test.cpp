@@ -34,7 +34,8 @@ TriangleSoup one_triangle() {
 
 TriangleSoup identical_triangles() {
     TriangleSoup soup;
-    for (int i = 0; i < 1000; ++i) soup.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0.5f});
+    for (int i = 0; i < 1000; ++i)
+        soup.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0.5f});
     return soup;
 }
 
@@ -85,7 +86,8 @@ std::vector<Input> inputs() {
             {"collinear", collinear_centroids()},
             {"concentric", concentric_triangles()},
             {"nested", test::nested_soup(120)},
-            {"nested_copies", [] {
+            {"nested_copies",
+             [] {
                  TriangleSoup soup = test::nested_soup(60);
                  for (int copy = 0; copy < 20; ++copy) {
                      for (int i = 0; i < 60; ++i) {
@@ -142,7 +144,8 @@ class BoxComparison {
             if (content.is_node) bounds = visit(content.node);
             for (std::uint32_t i = 0; i < content.triangle_count; ++i) {
                 const interop::BvhTriangle& triangle = bvh_.triangles[content.first_triangle + i];
-                for (const glm::vec3& vertex : {triangle.v0, triangle.v1, triangle.v2}) bounds.extend(vertex);
+                for (const glm::vec3& vertex : {triangle.v0, triangle.v1, triangle.v2})
+                    bounds.extend(vertex);
             }
             if (!bounds.empty()) compare(node, child_box(node, slot), bounds);
             all.extend(bounds);
@@ -159,7 +162,8 @@ class BoxComparison {
             const double upper_gap = box.upper[axis] - static_cast<double>(bounds.upper[axis]);
             EXPECT_GE(lower_gap, 0.0);
             EXPECT_GE(upper_gap, 0.0);
-            // Rounding outwards to the grid adds less than a cell; a step for the rounding of differences, one more.
+            // Rounding outwards to the grid adds less than a cell; a step for the rounding of differences,
+            // one more.
             EXPECT_LE(lower_gap, 2.0 * cell);
             EXPECT_LE(upper_gap, 2.0 * cell);
         }
@@ -178,7 +182,8 @@ INSTANTIATE_TEST_SUITE_P(Inputs, BvhOf, testing::ValuesIn(inputs()),
                          [](const testing::TestParamInfo<Input>& input) { return input.param.name; });
 
 bool same_bytes(const auto& a, const auto& b) {
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
 }
 
 TEST(Bvh, IsTheSameOnEveryBuild) {
@@ -194,7 +199,7 @@ TEST(Bvh, IsTheSameOnEveryBuild) {
 // Scaling by a power of two changes nothing but the grids: their origins scale, their exponents shift.
 void expect_scaled_nodes(const Bvh& bvh, const Bvh& scaled, int k) {
     ASSERT_EQ(scaled.nodes.size(), bvh.nodes.size());
-    constexpr std::uint32_t kFlatExponent = 1;   // the smallest normal cell, for axes without extent
+    constexpr std::uint32_t kFlatExponent = 1;  // the smallest normal cell, for axes without extent
     for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
         const interop::BvhNode& a = bvh.nodes[i];
         const interop::BvhNode& b = scaled.nodes[i];
@@ -207,8 +212,9 @@ void expect_scaled_nodes(const Bvh& bvh, const Bvh& scaled, int k) {
             ASSERT_EQ(std::bit_cast<float>(b.origin_exponents[axis]),
                       std::ldexp(std::bit_cast<float>(a.origin_exponents[axis]), k));
             const std::uint32_t exponent = (a.origin_exponents.w >> (8 * axis)) & 0xffu;
-            const std::uint32_t expected =
-                exponent == kFlatExponent ? exponent : static_cast<std::uint32_t>(static_cast<int>(exponent) + k);
+            const std::uint32_t expected = exponent == kFlatExponent
+                                               ? exponent
+                                               : static_cast<std::uint32_t>(static_cast<int>(exponent) + k);
             ASSERT_EQ((b.origin_exponents.w >> (8 * axis)) & 0xffu, expected);
         }
     }
@@ -230,9 +236,10 @@ TEST(Bvh, KeepsItsTopologyUnderPowersOfTwo) {
 }
 
 TEST(Bvh, TurnsToMediansBeforeItGetsTooDeep) {
-    // Every surface area split of these peels one triangle off, which alone would make a tree as deep as they are many.
+    // Every surface area split of these peels one triangle off, which alone would make a tree as deep as they
+    // are many.
     const TriangleSoup soup = test::nested_soup(100);
-    constexpr std::uint32_t kDepth = 9;   // 2 + log2(100), rounded up
+    constexpr std::uint32_t kDepth = 9;  // 2 + log2(100), rounded up
     const BinaryBvh binary = build_binary_bvh(soup.positions, soup.triangles, kDepth);
     std::uint32_t deepest = 0;
     const auto visit = [&](const auto& self, std::uint32_t index, std::uint32_t depth) -> void {

@@ -20,7 +20,8 @@ constexpr double kFloat64 = 1e-14;
 constexpr interop::BvhTriangle kUnitTriangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
 TEST(ReferenceIntersection, FindsTheCrossingOfPlaneAndRay) {
-    const auto hit = intersect_triangle_reference(kUnitTriangle, {0.25, 0.5, 3.0}, {0.0, 0.0, -2.0}, kInfinity);
+    const auto hit =
+        intersect_triangle_reference(kUnitTriangle, {0.25, 0.5, 3.0}, {0.0, 0.0, -2.0}, kInfinity);
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->t, 1.5, 1.5 * kFloat64);
     EXPECT_NEAR(hit->b1, 0.25, kFloat64);
@@ -29,7 +30,8 @@ TEST(ReferenceIntersection, FindsTheCrossingOfPlaneAndRay) {
 }
 
 TEST(ReferenceIntersection, TellsTheBackFromTheFront) {
-    const auto hit = intersect_triangle_reference(kUnitTriangle, {0.25, 0.5, -3.0}, {0.0, 0.0, 1.0}, kInfinity);
+    const auto hit =
+        intersect_triangle_reference(kUnitTriangle, {0.25, 0.5, -3.0}, {0.0, 0.0, 1.0}, kInfinity);
     ASSERT_TRUE(hit);
     EXPECT_TRUE(hit->back_face);
     EXPECT_NEAR(hit->t, 3.0, 3.0 * kFloat64);
@@ -37,9 +39,12 @@ TEST(ReferenceIntersection, TellsTheBackFromTheFront) {
 
 TEST(ReferenceIntersection, MissesWhatTheRayDoesNotCross) {
     const glm::dvec3 down(0.0, 0.0, -1.0);
-    EXPECT_FALSE(intersect_triangle_reference(kUnitTriangle, {0.75, 0.5, 1.0}, down, kInfinity)) << "beyond an edge";
-    EXPECT_FALSE(intersect_triangle_reference(kUnitTriangle, {-1e-9, 0.5, 1.0}, down, kInfinity)) << "just beside";
-    EXPECT_FALSE(intersect_triangle_reference(kUnitTriangle, {0.25, 0.25, -1.0}, down, kInfinity)) << "behind";
+    EXPECT_FALSE(intersect_triangle_reference(kUnitTriangle, {0.75, 0.5, 1.0}, down, kInfinity))
+        << "beyond an edge";
+    EXPECT_FALSE(intersect_triangle_reference(kUnitTriangle, {-1e-9, 0.5, 1.0}, down, kInfinity))
+        << "just beside";
+    EXPECT_FALSE(intersect_triangle_reference(kUnitTriangle, {0.25, 0.25, -1.0}, down, kInfinity))
+        << "behind";
     EXPECT_FALSE(intersect_triangle_reference(kUnitTriangle, {-1.0, 0.25, 0.0}, {1.0, 0.0, 0.0}, kInfinity))
         << "in the plane";
     constexpr interop::BvhTriangle kFlat{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
@@ -66,7 +71,8 @@ std::optional<ReferenceHit> closest_by_exhaustion(const Bvh& bvh, const glm::dve
                                                   const glm::dvec3& direction) {
     std::optional<ReferenceHit> best;
     for (std::uint32_t i = 0; i < bvh.triangles.size(); ++i) {
-        auto hit = intersect_triangle_reference(bvh.triangles[i], origin, direction, best ? best->t : kInfinity);
+        auto hit =
+            intersect_triangle_reference(bvh.triangles[i], origin, direction, best ? best->t : kInfinity);
         if (!hit) continue;
         hit->triangle = i;
         best = hit;
@@ -93,12 +99,13 @@ TEST(ReferenceIntersection, FindsWhatExhaustionFinds) {
 
 TEST(ReferenceIntersection, PassesThroughWhatIsNotAccepted) {
     test::TriangleSoup soup;
-    for (const float z : {3.0f, 2.0f, 1.0f, 0.0f}) soup.add({-1, -1, z}, {2, -1, z}, {-1, 2, z});
+    for (const float z : {3.0f, 2.0f, 1.0f, 0.0f})
+        soup.add({-1, -1, z}, {2, -1, z}, {-1, 2, z});
     const Bvh bvh = build_bvh(soup.positions, soup.triangles);
     // The four layers are met at t = 1, 2, 3, 4.
-    const auto hit = closest_hit_reference(bvh, {0, 0, 4}, {0, 0, -1}, kInfinity, [&](std::uint32_t triangle) {
-        return bvh.triangles[triangle].v0.z < 1.5f;
-    });
+    const auto hit =
+        closest_hit_reference(bvh, {0, 0, 4}, {0, 0, -1}, kInfinity,
+                              [&](std::uint32_t triangle) { return bvh.triangles[triangle].v0.z < 1.5f; });
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->t, 3.0, 3.0 * kFloat64);
     EXPECT_EQ(bvh.triangles[hit->triangle].v0.z, 1.0f);

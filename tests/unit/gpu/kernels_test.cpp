@@ -57,12 +57,14 @@ std::uint32_t invocations_per_group(std::span<const std::uint32_t> spirv) {
     for (const test::SpirvInstruction& instruction : module.instructions()) {
         const std::vector<std::uint32_t>& words = instruction.words;
         if (instruction.operation == kOpConstant) constants[words[1]] = words[2];
-        if (instruction.operation == kOpExecutionMode && words[1] == kLocalSize) size = {words.begin() + 2, words.end()};
+        if (instruction.operation == kOpExecutionMode && words[1] == kLocalSize)
+            size = {words.begin() + 2, words.end()};
         if (instruction.operation == kOpExecutionModeId && words[1] == kLocalSizeId) {
             size_ids = {words.begin() + 2, words.end()};
         }
     }
-    for (const std::uint32_t id : size_ids) size.push_back(constants.at(id));
+    for (const std::uint32_t id : size_ids)
+        size.push_back(constants.at(id));
     return size.size() == 3 ? size[0] * size[1] * size[2] : 0;
 }
 
@@ -72,7 +74,8 @@ TEST(Kernels, AreAllKnownToTheTests) {
         if (entry.path().extension() == ".comp") files.insert(entry.path().stem().string());
     }
     std::set<std::string> names;
-    for (const test::ProductKernel& kernel : test::product_kernels()) names.insert(kernel.name);
+    for (const test::ProductKernel& kernel : test::product_kernels())
+        names.insert(kernel.name);
     EXPECT_EQ(names, files);
 }
 
@@ -111,7 +114,7 @@ TEST(Kernels, HaveTheWorkgroupsThatTheHostCountsWith) {
 }
 
 TEST(Kernels, FitTheirPushConstantsIntoWhatEveryDeviceHas) {
-    constexpr std::size_t kGuaranteed = 128;   // Vulkan 1.3, table "Required Limits"
+    constexpr std::size_t kGuaranteed = 128;  // Vulkan 1.3, table "Required Limits"
     EXPECT_LE(sizeof(interop::FramePush), kGuaranteed);
 }
 

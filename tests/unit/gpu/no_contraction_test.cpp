@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Watertight intersection and compensated sums hold only as long as no multiplication is fused into a sum: what GLSL
-// calls `precise` and SPIR-V NoContraction. Front ends have lost that on the way, so the modules themselves are read.
+// Watertight intersection and compensated sums hold only as long as no multiplication is fused into a sum:
+// what GLSL calls `precise` and SPIR-V NoContraction. Front ends have lost that on the way, so the modules
+// themselves are read.
 #include "support/product_kernels.h"
 #include "support/spirv_module.h"
 
@@ -21,7 +22,9 @@ bool is_product(std::uint32_t operation) {
     return operation == test::kOpFMul || operation == test::kOpVectorTimesScalar;
 }
 
-bool is_sum(std::uint32_t operation) { return operation == test::kOpFAdd || operation == test::kOpFSub; }
+bool is_sum(std::uint32_t operation) {
+    return operation == test::kOpFAdd || operation == test::kOpFSub;
+}
 
 /// Products, differences and sums of a function, all of them and those that may not be contracted.
 struct Arithmetic {
@@ -40,7 +43,7 @@ struct FunctionArithmetic {
 FunctionArithmetic arithmetic_of(const SpirvModule& module, const std::string& function) {
     const std::set<std::uint32_t> uncontracted = module.uncontracted();
     FunctionArithmetic result;
-    std::map<std::uint32_t, std::uint32_t> operations;   // by result id
+    std::map<std::uint32_t, std::uint32_t> operations;  // by result id
     for (const SpirvInstruction& instruction : module.function(function)) {
         if (!is_product(instruction.operation) && !is_sum(instruction.operation)) continue;
         // Operands of these: result type, result, two values.
@@ -66,14 +69,15 @@ FunctionArithmetic arithmetic_of(const SpirvModule& module, const std::string& f
 /// What is wrong with the edge functions of a module; empty if nothing.
 std::string edge_function_problem(const SpirvModule& module) {
     const FunctionArithmetic found = arithmetic_of(module, "intersect_triangle");
-    // Three sheared vertices (a product and a difference each), three edge functions (two products and a difference
-    // each), determinant (two sums), depth (three products, two sums).
+    // Three sheared vertices (a product and a difference each), three edge functions (two products and a
+    // difference each), determinant (two sums), depth (three products, two sums).
     const Arithmetic& kept = found.uncontracted;
     if (kept.products < 3 + 6 + 3 || kept.differences < 3 + 3 || kept.sums < 2 + 2) {
         return fmt::format("{} products, {} differences and {} sums are kept from contraction", kept.products,
                            kept.differences, kept.sums);
     }
-    if (found.contractible > 0) return fmt::format("{} sums over products may be contracted", found.contractible);
+    if (found.contractible > 0)
+        return fmt::format("{} sums over products may be contracted", found.contractible);
     return {};
 }
 
@@ -103,7 +107,9 @@ class NoContraction : public testing::TestWithParam<std::string> {
 
 class NoContractionInEdgeFunctions : public NoContraction {};
 
-TEST_P(NoContractionInEdgeFunctions, IsKeptByTheCompiler) { EXPECT_EQ(edge_function_problem(SpirvModule(spirv())), ""); }
+TEST_P(NoContractionInEdgeFunctions, IsKeptByTheCompiler) {
+    EXPECT_EQ(edge_function_problem(SpirvModule(spirv())), "");
+}
 
 TEST_P(NoContractionInEdgeFunctions, IsMissedWithoutPrecise) {
     const SpirvModule stripped(test::without_no_contraction(spirv()));

@@ -20,11 +20,14 @@ constexpr std::uint32_t kNoContraction = 42;
 /// The five words of a header: magic number, version 1.6, generator, bound of ids, schema.
 const std::vector<std::uint32_t> kHeader = {0x07230203u, 0x00010600u, 0u, 100u, 0u};
 
-std::uint32_t first_word(std::uint32_t operation, std::uint32_t words) { return (words << 16) | operation; }
+std::uint32_t first_word(std::uint32_t operation, std::uint32_t words) {
+    return (words << 16) | operation;
+}
 
 std::vector<std::uint32_t> module(std::initializer_list<std::vector<std::uint32_t>> instructions) {
     std::vector<std::uint32_t> words = kHeader;
-    for (const auto& instruction : instructions) words.insert(words.end(), instruction.begin(), instruction.end());
+    for (const auto& instruction : instructions)
+        words.insert(words.end(), instruction.begin(), instruction.end());
     return words;
 }
 
@@ -34,9 +37,9 @@ std::vector<std::uint32_t> decorate(std::uint32_t target, std::uint32_t decorati
 
 TEST(Spirv, ReadsDecorationsInOrder) {
     const auto words = module({decorate(7, kBinding, 3),
-                               {first_word(72, 5), 8, 2, kOffset, 16},   // OpMemberDecorate
+                               {first_word(72, 5), 8, 2, kOffset, 16},  // OpMemberDecorate
                                {first_word(71, 3), 9, kNoContraction},
-                               {first_word(17, 2), 1}});   // OpCapability Shader
+                               {first_word(17, 2), 1}});  // OpCapability Shader
     const auto decorations = spirv_decorations(words);
     ASSERT_EQ(decorations.size(), 3u);
     EXPECT_EQ(decorations[0].target, 7u);

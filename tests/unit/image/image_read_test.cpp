@@ -121,6 +121,47 @@ TEST_F(ReadImage, RefusesTruncatedFiles) {
     expect_refused(store("cut.hdr", test::Bytes(header.begin(), header.end())), "cut short");
 }
 
+TEST_F(ReadImage, RefusesTruncatedTiff) {
+    // One grey byte at `offset` of a little-endian file; entries are tag, type, count, value.
+    const auto tiff = [](std::uint8_t offset) {
+        test::Bytes bytes{'I', 'I', '*', 0, 8, 0, 0, 0, 8, 0};
+        const std::vector<std::pair<std::uint16_t, std::uint8_t>> entries{
+            {256, 1}, {257, 1}, {258, 8}, {259, 1}, {262, 1}, {273, offset}, {278, 1}, {279, 1}};
+        for (const auto& [tag, value] : entries) {
+            bytes.insert(bytes.end(),
+                         {static_cast<std::uint8_t>(tag & 0xff), static_cast<std::uint8_t>(tag >> 8), 3, 0, 1,
+                          0, 0, 0, value, 0, 0, 0});
+        }
+        bytes.insert(bytes.end(), {0, 0, 0, 0, 128});
+        return bytes;
+    };
+    const std::uint8_t last = 8 + 2 + 8 * 12 + 4;
+    EXPECT_NEAR(read_image(store("one.tif", tiff(last))).at(0, 0).y, 0.2158605, 1e-6);
+    expect_refused(store("outside.tif", tiff(last + 50)), "cut short");
+    test::Bytes cut_entries = tiff(last);
+    cut_entries.resize(40);
+    expect_refused(store("cut.tif", cut_entries), "cut short");
+}
+
+TEST_F(ReadImage, SkipsPngProfilesSilently) {
+    test::Bytes png = make_png(1, 1, {8, 0}, {128}, 1);
+    test::Bytes profile;
+    const std::string body = "broken profile";
+    test::append_chunk(profile, "iCCP", test::Bytes(body.begin(), body.end()));
+    png.insert(png.begin() + 8 + 12 + 13, profile.begin(), profile.end());
+    testing::internal::CaptureStderr();
+    EXPECT_NEAR(read_image(store("profile.png", png)).at(0, 0).y, 0.2158605, 1e-6);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST_F(ReadImage, LinearPngIsTakenAsItIs) {
+    test::Bytes png = make_png(1, 1, {8, 0}, {128}, 1);
+    test::Bytes gamma;
+    test::append_chunk(gamma, "gAMA", {0x00, 0x01, 0x86, 0xa0});  // 100000: an exponent of one
+    png.insert(png.begin() + 8 + 12 + 13, gamma.begin(), gamma.end());
+    EXPECT_NEAR(read_image(store("linear.png", png)).at(0, 0).y, 128.0 / 255.0, 1e-6);
+}
+
 TEST_F(ReadImage, RefusesDamagedChecksums) {
     std::vector<std::byte> bytes = encode_png(test::noise(16, 16, 1), 0.0);
     bytes[bytes.size() / 2] ^= std::byte{0x55};

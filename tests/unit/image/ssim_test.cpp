@@ -73,7 +73,7 @@ TEST(Ssim, EqualPicturesGiveOne) {
 }
 
 TEST(Ssim, AgreesWithTheDefinitionEverywhere) {
-    for (const auto [width, height] : {std::pair{37, 14}, std::pair{3, 2}, std::pair{1, 1}}) {
+    for (const auto& [width, height] : {std::pair{37, 14}, std::pair{3, 2}, std::pair{1, 1}}) {
         const auto w = static_cast<std::uint32_t>(width);
         const auto h = static_cast<std::uint32_t>(height);
         const Image a = test::noise(w, h, 1);

@@ -14,10 +14,14 @@ constexpr std::uint32_t kReflector = 0;
 /// The box of an icosphere is symmetric up to the rounding of its vertices.
 constexpr double kCentre = 1e-6;
 
-Material grey() { return test::lambert(glm::vec3(0.5f)); }
+Material grey() {
+    return test::lambert(glm::vec3(0.5f));
+}
 
 /// Scene space is world space moved by the scene's origin.
-glm::dvec3 to_world(const SceneData& data, const glm::dvec3& point) { return point + data.origin; }
+glm::dvec3 to_world(const SceneData& data, const glm::dvec3& point) {
+    return point + data.origin;
+}
 
 TEST(CapturePoint, IsTheCentreOfAnObjectInARoom) {
     Scene scene;
@@ -47,7 +51,8 @@ TEST(CapturePoint, MovesOutOfGeometryThatAnExposedObjectEncloses) {
     EXPECT_TRUE(is_inside_geometry(data, kReflector, glm::dvec3(0.0)));
     const glm::dvec3 point = find_capture_point(data, kReflector);
     EXPECT_FALSE(is_inside_geometry(data, kReflector, point));
-    EXPECT_GT(glm::length(point), 0.85) << "outside of the ball, whose faces lie a little under 0.9 from its centre";
+    EXPECT_GT(glm::length(point), 0.85)
+        << "outside of the ball, whose faces lie a little under 0.9 from its centre";
     EXPECT_LT(glm::length(point), 2.0) << "near the object";
 }
 

@@ -11,7 +11,9 @@ namespace utsuri {
 namespace {
 
 /// A threshold is a float32; over n entries the sum of their roundings stays below this many units roundoff.
-double rounding(std::size_t entries) { return static_cast<double>(entries + 1) * 0x1p-24; }
+double rounding(std::size_t entries) {
+    return static_cast<double>(entries + 1) * 0x1p-24;
+}
 
 std::vector<double> chances(const std::vector<interop::LightTableEntry>& table) {
     std::vector<double> result(table.size(), 0.0);
@@ -58,12 +60,15 @@ TEST(LightTable, FindsTheBrightOneAmongMany) {
 
 TEST(LightTable, NeverPicksALightWithoutWeight) {
     std::vector<interop::LightInfo> lights(4);
-    const std::vector<double> found = chances(make_light_table(std::vector<double>{0.0, 2.0, 0.0, 1.0}, lights));
+    const std::vector<double> found =
+        chances(make_light_table(std::vector<double>{0.0, 2.0, 0.0, 1.0}, lights));
     EXPECT_EQ(found[0], 0.0);
     EXPECT_EQ(found[2], 0.0);
 }
 
-TEST(LightTable, OfNothingIsEmpty) { EXPECT_TRUE(make_light_table({}, {}).empty()); }
+TEST(LightTable, OfNothingIsEmpty) {
+    EXPECT_TRUE(make_light_table({}, {}).empty());
+}
 
 TEST(LightTable, RefusesWeightsThatAreAllZero) {
     std::vector<interop::LightInfo> lights(2);

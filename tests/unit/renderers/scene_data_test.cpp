@@ -17,7 +17,9 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kFloat32 = 4.0 * 0x1p-24;
 
 /// A quad of one square metre in the plane z = `z`, seen from +z.
-Mesh square(float z) { return test::quad({0, 0, z}, {1, 0, 0}, {0, 1, 0}); }
+Mesh square(float z) {
+    return test::quad({0, 0, z}, {1, 0, 0}, {0, 1, 0});
+}
 
 Light light_of(LightType type, float intensity) {
     Light light;
@@ -37,14 +39,12 @@ TEST(SceneData, ListsLightsByTheirPower) {
     const SceneData data = prepare_scene_data(scene);
 
     const double radius_squared = 0.25 * (1.0 + 1.0 + 4.0);
-    const std::vector<double> powers = {kPi * kPi * radius_squared * 0.5,
-                                        4.0 * kPi * 2.0,
-                                        2.0 * kPi * (1.0 - std::cos(0.5)) * 7.0,
-                                        kPi * radius_squared * 11.0,
-                                        kPi * 0.5 * 3.0,
-                                        kPi * 0.5 * 3.0};
+    const std::vector<double> powers = {
+        kPi * kPi * radius_squared * 0.5, 4.0 * kPi * 2.0, 2.0 * kPi * (1.0 - std::cos(0.5)) * 7.0,
+        kPi * radius_squared * 11.0,      kPi * 0.5 * 3.0, kPi * 0.5 * 3.0};
     double sum = 0.0;
-    for (const double power : powers) sum += power;
+    for (const double power : powers)
+        sum += power;
     ASSERT_EQ(data.lights.size(), powers.size());
     EXPECT_EQ(data.lights.front().type, interop::LIGHT_ENVIRONMENT) << "kernels expect it first";
     for (std::size_t i = 0; i < powers.size(); ++i) {
@@ -85,13 +85,14 @@ TEST(SceneData, LeavesOutLightsThatCannotShine) {
     Scene scene;
     Mesh sliver = square(0.0f);
     sliver.positions[2] = sliver.positions[1];
-    sliver.positions[3] = sliver.positions[0];   // no area left
+    sliver.positions[3] = sliver.positions[0];  // no area left
     test::add(scene, sliver, test::emitter(glm::vec3(1.0f)));
     scene.lights = {light_of(LightType::point, 0.0f)};
     const SceneData data = prepare_scene_data(scene);
     EXPECT_TRUE(data.lights.empty());
     EXPECT_TRUE(data.light_table.empty());
-    for (const interop::TriangleInfo& info : data.triangle_infos) EXPECT_EQ(info.light, interop::NONE);
+    for (const interop::TriangleInfo& info : data.triangle_infos)
+        EXPECT_EQ(info.light, interop::NONE);
 }
 
 TEST(SceneData, TurnsMaterialsIntoReflectances) {
@@ -120,10 +121,12 @@ TEST(SceneData, PacksOnlyTexturesThatAreReferredTo) {
         scene.textures[i].width = 2;
         scene.textures[i].height = 1;
         const auto base = static_cast<std::uint8_t>(16 * (i + 1));
-        for (std::uint8_t k = 0; k < 8; ++k) scene.textures[i].rgba.push_back(static_cast<std::uint8_t>(base + k));
+        for (std::uint8_t k = 0; k < 8; ++k)
+            scene.textures[i].rgba.push_back(static_cast<std::uint8_t>(base + k));
     }
     Material material = test::lambert(glm::vec3(1.0f));
-    material.base_colour_texture = {2, TextureWrap::mirrored_repeat, TextureWrap::clamp_to_edge, TextureFilter::nearest};
+    material.base_colour_texture = {2, TextureWrap::mirrored_repeat, TextureWrap::clamp_to_edge,
+                                    TextureFilter::nearest};
     material.emissive_texture = {0, TextureWrap::repeat, TextureWrap::repeat, TextureFilter::linear};
     test::add(scene, square(0.0f), material);
     const SceneData data = prepare_scene_data(scene);

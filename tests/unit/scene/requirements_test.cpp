@@ -15,14 +15,17 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-Mesh unit_quad() { return test::quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}); }
+Mesh unit_quad() {
+    return test::quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+}
 
 /// A texture of one row of texels, RGBA.
 Texture texture(std::initializer_list<std::array<std::uint8_t, 4>> texels) {
     Texture result;
     result.width = static_cast<std::uint32_t>(texels.size());
     result.height = 1;
-    for (const auto& texel : texels) result.rgba.insert(result.rgba.end(), texel.begin(), texel.end());
+    for (const auto& texel : texels)
+        result.rgba.insert(result.rgba.end(), texel.begin(), texel.end());
     return result;
 }
 
@@ -38,9 +41,9 @@ TEST(Requirements, CountWhatInstancesUse) {
     Scene scene;
     test::add(scene, unit_quad(), test::lambert(glm::vec3(0.5f)));
     test::add(scene, test::icosphere(glm::vec3(0.0f), 1.0f, 0), test::emitter(glm::vec3(2.0f)));
-    scene.instances.push_back(scene.instances[1]);   // the sphere again
-    scene.materials.push_back(test::mirror());       // used by nobody
-    scene.meshes.push_back(unit_quad());             // used by nobody
+    scene.instances.push_back(scene.instances[1]);  // the sphere again
+    scene.materials.push_back(test::mirror());      // used by nobody
+    scene.meshes.push_back(unit_quad());            // used by nobody
     scene.lights.resize(3);
     scene.environment = {0.0f, 0.0f, 1.0f};
     const Requirements needs = find_requirements(scene);
@@ -56,7 +59,8 @@ TEST(Requirements, CountWhatInstancesUse) {
 
 TEST(Requirements, CountTexturesThatMaterialsInUseReferTo) {
     Scene scene;
-    scene.textures = {texture({{1, 2, 3, 4}, {5, 6, 7, 8}}), texture({{9, 9, 9, 9}}), texture({{0, 0, 0, 0}})};
+    scene.textures = {texture({{1, 2, 3, 4}, {5, 6, 7, 8}}), texture({{9, 9, 9, 9}}),
+                      texture({{0, 0, 0, 0}})};
     Material textured = test::lambert(glm::vec3(1.0f));
     textured.base_colour_texture.texture = 0;
     textured.emissive_texture.texture = 0;
@@ -110,7 +114,8 @@ TEST(Requirements, BoundTheChainsOfMirrorsInOnePlane) {
     EXPECT_THAT(needs.reflective_instances, ElementsAre(0, 1));
 
     scene.instances[1].world_from_object = glm::translate(glm::dmat4(1.0), {0.0, 0.0, 1e-3});
-    EXPECT_EQ(find_requirements(scene).specular_depth, kUnboundedSpecularDepth) << "a millimetre off the plane";
+    EXPECT_EQ(find_requirements(scene).specular_depth, kUnboundedSpecularDepth)
+        << "a millimetre off the plane";
 }
 
 TEST(Requirements, BoundMirrorsFarOutTheSame) {

@@ -7,7 +7,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-
 namespace utsuri {
 namespace {
 
@@ -23,8 +22,8 @@ Scene sphere_with(const glm::dmat4& matrix) {
 
 glm::dvec3 face_normal(const WorldGeometry& world, const glm::uvec3& triangle) {
     const glm::dvec3 a(world.positions[triangle.x]);
-    return glm::normalize(glm::cross(glm::dvec3(world.positions[triangle.y]) - a,
-                                     glm::dvec3(world.positions[triangle.z]) - a));
+    return glm::normalize(
+        glm::cross(glm::dvec3(world.positions[triangle.y]) - a, glm::dvec3(world.positions[triangle.z]) - a));
 }
 
 TEST(WorldGeometry, PutsTheOriginInTheCentre) {
@@ -40,9 +39,11 @@ TEST(WorldGeometry, PutsTheOriginInTheCentre) {
 }
 
 TEST(WorldGeometry, DoesNotDependOnWhereTheSceneIs) {
-    // All coordinates are multiples of 2^-10 and the offset is an integer, so float64 holds every sum exactly.
+    // All coordinates are multiples of 2^-10 and the offset is an integer, so float64 holds every sum
+    // exactly.
     Scene scene;
-    test::add(scene, test::room({-1.25f, -0.5f, -3.0f}, {2.0f, 1.5f, 0.0625f}), test::lambert(glm::vec3(0.5f)));
+    test::add(scene, test::room({-1.25f, -0.5f, -3.0f}, {2.0f, 1.5f, 0.0625f}),
+              test::lambert(glm::vec3(0.5f)));
     const WorldGeometry here = make_world_geometry(scene);
     const glm::dvec3 offset(1e6, -123456789.0, 77.0);
     scene.instances[0].world_from_object = glm::translate(glm::dmat4(1.0), offset);
@@ -62,13 +63,14 @@ TEST(WorldGeometry, KeepsSharedVerticesShared) {
 }
 
 TEST(WorldGeometry, KeepsFrontsInFrontUnderMirroringMaps) {
-    for (const glm::dvec3 scale : {glm::dvec3(1, 1, 1), glm::dvec3(-1, 1, 1), glm::dvec3(-2, -1, 1),
-                                   glm::dvec3(-1, -3, -0.5)}) {
+    for (const glm::dvec3 scale :
+         {glm::dvec3(1, 1, 1), glm::dvec3(-1, 1, 1), glm::dvec3(-2, -1, 1), glm::dvec3(-1, -3, -0.5)}) {
         const WorldGeometry world = make_world_geometry(sphere_with(glm::scale(glm::dmat4(1.0), scale)));
         for (const glm::uvec3& triangle : world.triangles) {
             const glm::dvec3 face = face_normal(world, triangle);
             EXPECT_GT(glm::dot(face, glm::dvec3(world.positions[triangle.x])), 0.0) << "fronts look outwards";
-            for (int k = 0; k < 3; ++k) EXPECT_GT(glm::dot(face, glm::dvec3(world.normals[triangle[k]])), 0.0);
+            for (int k = 0; k < 3; ++k)
+                EXPECT_GT(glm::dot(face, glm::dvec3(world.normals[triangle[k]])), 0.0);
         }
     }
 }
@@ -82,7 +84,8 @@ TEST(WorldGeometry, KeepsNormalsPerpendicularUnderUnevenScales) {
     for (const glm::uvec3& triangle : world.triangles) {
         const glm::dvec3 face = face_normal(world, triangle);
         for (int k = 0; k < 3; ++k) {
-            EXPECT_LT(glm::length(glm::cross(face, glm::dvec3(world.normals[triangle[k]]))), 100.0 * kFloat32);
+            EXPECT_LT(glm::length(glm::cross(face, glm::dvec3(world.normals[triangle[k]]))),
+                      100.0 * kFloat32);
         }
     }
 }
