@@ -15,9 +15,12 @@ vec3 perspective_direction(CameraInfo camera, vec2 p) {
 }
 
 /// The direction that the OpenGL sphere map stores at p: the disc holds the mirror directions of a small chrome ball
-/// seen along `forward`. Zero outside the disc.
+/// seen along `forward`. The axes right and up are as long as the picture's half edge in radii of the disc. Zero outside
+/// the disc.
 vec3 sphere_map_direction(CameraInfo camera, vec2 p) {
-    float r2 = dot(p, p);
+    float half_edge = length(camera.right);
+    vec2 q = half_edge * p;
+    float r2 = dot(q, q);
     if (r2 >= 1.0) return vec3(0.0);
     vec2 xy = 2.0 * sqrt(1.0 - r2) * p;
     return normalize_any_scale(xy.x * camera.right + xy.y * camera.up - (1.0 - 2.0 * r2) * camera.forward);

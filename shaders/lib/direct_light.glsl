@@ -41,7 +41,7 @@ Candidate make_candidate(Surface surface, vec3 wo, float choice, vec2 u) {
 /// one is taken by its unshadowed value, so that near and facing lights are not left to chance.
 vec3 light_by_light_sample(Surface surface, vec3 wo, vec2 choice, vec2 u, uint excluded_instance, inout uint rays) {
     uint count = min(LIGHT_COUNT, MOST_CANDIDATES);
-    Candidate taken;
+    Candidate taken = Candidate(LightSample(vec3(0.0), vec3(0.0), false, vec3(0.0), 0.0, NONE), vec3(0.0));
     float taken_weight = 0.0;
     float sum = 0.0;
     float remaining = choice.y;

@@ -2,7 +2,8 @@
 "use strict";
 
 /// Two of `pictures`, each {name, image, alt, isApproximate}, under one divider, zoomed and moved together.
-/// `width` and `height` are theirs in pixels. The address may say how to start: #divider=25&zoom=4&left=reference
+/// `width` and `height` are theirs in pixels. The address may say how to start, for example
+/// #divider=25&zoom=4&left=reference
 /// @return a promise that is kept once both pictures can be seen
 function startViewer(pictures, width, height) {
     const maxZoom = 32;
@@ -38,7 +39,8 @@ function startViewer(pictures, width, height) {
 
     /// Keeps the point at fractions (x, y) of the stage where it is.
     function zoomBy(factor, x = 0.5, y = 0.5) {
-        const zoom = clamp(view.zoom * factor, 1, maxZoom);
+        // Six digits, so that steps of the square root of two come back to exactly 1.
+        const zoom = clamp(Number((view.zoom * factor).toPrecision(6)), 1, maxZoom);
         view.x = x - (x - view.x) * zoom / view.zoom;
         view.y = y - (y - view.y) * zoom / view.zoom;
         view.zoom = zoom;

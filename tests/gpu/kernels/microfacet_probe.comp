@@ -20,8 +20,8 @@ void main() {
     vec3 h = normalize(query.wo + query.wi);
     float cos_o = dot(query.normal, query.wo);
     float cos_i = dot(query.normal, query.wi);
-    float distribution = ggx_distribution(query.normal, h, query.alpha);
-    answers[index] = MicrofacetAnswer(distribution, distribution * smith_visibility(cos_o, cos_i, query.alpha),
+    float d = ggx_distribution(query.normal, h, query.alpha);
+    answers[index] = MicrofacetAnswer(d, d * smith_visibility(cos_o, cos_i, query.alpha),
                                       ggx_pdf(query.normal, h, cos_o, query.alpha),
                                       sample_ggx_normal(query.normal, query.wo, query.alpha, query.u));
 }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sample that is no number is counted and left out. Tests that expect a count of zero rest on this.
+#include "support/methods.h"
+#include "support/test_device.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+namespace utsuri::test {
+namespace {
+
+constexpr RenderSettings kSettings{8, 4, 0, 2};
+constexpr std::uint32_t kSamples = 3;
+
+class Nonfinite : public DeviceTest {
+  protected:
+    static Scene surroundings(float radiance) {
+        Scene scene;
+        scene.environment = glm::vec3(1.0f, radiance, 1.0f);
+        return scene;
+    }
+
+    static void expect_all_counted(const Traced& result) {
+        EXPECT_EQ(result.statistics.counts.nonfinite, kSettings.width * kSettings.height * kSamples);
+        EXPECT_THAT(result.image.pixels, testing::Each(glm::vec3(0.0f)));
+    }
+
+    Camera camera_ = look_at(glm::dvec3(0), glm::dvec3(0, 0, -1));
+};
+
+TEST_F(Nonfinite, SamplesAreCountedAndLeftOut) {
+    for (const float radiance :
+         {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+        expect_all_counted(trace(device(), surroundings(radiance), camera_, kSettings, kSamples));
+        for (const MapKind kind : {MapKind::polygon, MapKind::sphere}) {
+            expect_all_counted(render_with_maps(device(), surroundings(radiance), camera_, kSettings, kind,
+                                                MapSettings{4, 1, {}}, kSamples));
+        }
+    }
+}
+
+TEST_F(Nonfinite, LargeSamplesAreNot) {
+    const Traced result = trace(device(), surroundings(1e37f), camera_, kSettings, kSamples);
+    EXPECT_EQ(result.statistics.counts.nonfinite, 0u);
+    EXPECT_THAT(result.image.pixels, testing::Each(glm::vec3(1.0f, 1e37f, 1.0f)));
+}
+
+}  // namespace
+}  // namespace utsuri::test
