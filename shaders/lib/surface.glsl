@@ -40,6 +40,23 @@ vec3 triangle_cross(BvhTriangle vertices) {
     return cross(vertices.v1 - vertices.v0, vertices.v2 - vertices.v0);
 }
 
+/// Distance that a hit keeps from the edges of its triangle, in bounds of its rounding error: enough for the offset
+/// of a leaving ray too, where the neighbour meets the triangle at an angle of 20 degrees or more.
+const float EDGE_MARGIN = 6.0;
+
+/// Barycentric coordinates of a hit, moved inwards where it is within rounding error of an edge. Beyond the edge a
+/// leaving ray would start behind the neighbouring surface, and miss it, or in its plane, and hit it.
+vec3 keep_off_edges(BvhTriangle vertices, vec3 b, vec3 error_bound) {
+    float longest = max(max_component(abs(vertices.v1 - vertices.v0)),
+                        max(max_component(abs(vertices.v2 - vertices.v1)), max_component(abs(vertices.v0 - vertices.v2))));
+    float height = max_component(abs(triangle_cross(vertices))) / longest;
+    // A triangle thinner than its rounding error has no inside to keep to.
+    float margin = min(EDGE_MARGIN * max_component(error_bound) / height, 0.25);
+    if (all(greaterThanEqual(b, vec3(margin)))) return b;
+    b = max(b, vec3(margin));
+    return b / (b.x + b.y + b.z);
+}
+
 vec3 interpolated_normal(uvec3 vertices, float b1, float b2) {
     return (1.0 - b1 - b2) * normals[vertices.x] + b1 * normals[vertices.y] + b2 * normals[vertices.z];
 }
@@ -81,8 +98,9 @@ Surface make_surface(Hit hit, vec3 direction) {
     BvhTriangle vertices = bvh_triangles[hit.triangle];
     TriangleInfo info = triangle_infos[hit.triangle];
     Surface surface;
-    surface.position = triangle_point(vertices, hit.b1, hit.b2);
     surface.error_bound = triangle_point_error(vertices, hit.b1, hit.b2);
+    vec3 b = keep_off_edges(vertices, vec3(1.0 - hit.b1 - hit.b2, hit.b1, hit.b2), surface.error_bound);
+    surface.position = triangle_point(vertices, b.y, b.z);
     surface.triangle = hit.triangle;
     surface.material = info.material;
     surface.instance = info.instance;

@@ -48,7 +48,7 @@ TEST_F(SphereMap, DirectionToTextureAndBack) {
     for (std::uint32_t row = 0; row < maps[0].height; ++row) {
         for (std::uint32_t column = 0; column < maps[0].width; ++column) {
             const glm::dvec2 p = texel_centre(column, row, kSize);
-            if (glm::length(p) > 1.0 + 2.0 / kSize) {
+            if (glm::length(p) > 1.0 + std::sqrt(2.0) / kSize) {
                 ASSERT_EQ(maps[0].at(column, row), glm::vec3(0.0f));
             }
             if (glm::length(p) > kRadius) continue;
