@@ -54,7 +54,7 @@ TEST_F(Shadows, ABlockerOverHalfALightTakesHalf) {
     add(scene, ceiling({0, 1, 0}, 0.5f), emitter(glm::vec3(1.0f)));
     add(scene, quad({0, 0.5f, -1}, {1, 0, 0}, {0, 0, 2}), lambert(glm::vec3(0.0f)));
     Observer observer(device(), scene);
-    expect_radiance(observer.look({-1.0, 0.3, 1.5}, {0.0, 0.0, 0.0}, 16384), 0.5 * 0.752274688 / kPi);
+    expect_radiance(observer.look({-1.0, 0.3, 1.5}, {0.0, 0.0, 0.0}, 65536), 0.5 * 0.752274688 / kPi);
 }
 
 /// A closed box with every kind of light around it, and none inside.
