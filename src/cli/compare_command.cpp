@@ -88,7 +88,10 @@ ExitCode compare(const CompareOptions& options, const std::string& command_line)
     print_text(options.common, fmt::format("\n{}\n", (folder / "report.html").string()));
     write_json(options.common, comparison_to_json(comparison));
     session.check_validation();
+    for (const MethodFailure& failure : comparison.failures)
+        fmt::print(stderr, "{}: {}\n", method_name(failure.method), failure.message);
     if (comparison.interrupted) return ExitCode::interrupted;
+    if (!comparison.failures.empty()) return comparison.failures.front().exit_code;
     return differs(comparison, options) ? ExitCode::difference : ExitCode::success;
 }
 

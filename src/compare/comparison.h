@@ -3,6 +3,7 @@
 
 #include "compare/method.h"
 
+#include "base/error.h"
 #include "gpu/device_selection.h"
 #include "image/image.h"
 #include "image/metrics.h"
@@ -39,6 +40,13 @@ struct MethodResult {
     Metrics metrics_reflective;  ///< over pixels whose first hit is reflective
 };
 
+/// A method that could not be carried out here: its maps are too large for the device, say.
+struct MethodFailure {
+    Method method;
+    std::string message;
+    ExitCode exit_code = ExitCode::device;
+};
+
 /// Methods held against a reference.
 struct Comparison {
     std::string scene;    ///< path as given
@@ -52,9 +60,12 @@ struct Comparison {
     std::uint64_t scene_bytes = 0;  ///< device memory of the scene
     std::uint64_t triangles = 0;
     MethodResult reference;
-    double reference_noise = 0.0;      ///< relative standard error of the reference's pixels (NoiseEstimate)
+    /// Relative standard error of the reference's pixels (NoiseEstimate); not a number where an interruption left an
+    /// odd number of samples, which cannot be halved.
+    double reference_noise = 0.0;
     double reference_noise_mse = 0.0;  ///< in the unit of Metrics::mse
     std::vector<MethodResult> methods;
+    std::vector<MethodFailure> failures;  ///< the methods that are missing for a reason
     Mask reflective;
     std::uint64_t reflective_pixels = 0;
     std::vector<std::string> notes;  ///< what was ignored, dropped or added on the way in

@@ -63,8 +63,8 @@ Json device_to_json(const DeviceSummary& device) {
 
 Json comparison_to_json(const Comparison& comparison) {
     Json reference = result_to_json(comparison.reference);
-    reference["noise"] = comparison.reference_noise;
-    reference["noise_mse"] = comparison.reference_noise_mse;
+    reference["noise"] = number(comparison.reference_noise);
+    reference["noise_mse"] = number(comparison.reference_noise_mse);
     Json methods = Json::array();
     for (const MethodResult& result : comparison.methods) {
         Json json = result_to_json(result);
@@ -73,6 +73,9 @@ Json comparison_to_json(const Comparison& comparison) {
         json["metrics_reflective"] = metrics_to_json(result.metrics_reflective);
         methods.push_back(std::move(json));
     }
+    Json failed = Json::array();
+    for (const MethodFailure& failure : comparison.failures)
+        failed.push_back({{"name", method_name(failure.method)}, {"message", failure.message}});
     return {{"schema", kComparisonSchema},
             {"utsuri", kVersion},
             {"scene", comparison.scene},
@@ -92,7 +95,8 @@ Json comparison_to_json(const Comparison& comparison) {
             {"interrupted", comparison.interrupted},
             {"notes", comparison.notes},
             {"reference", reference},
-            {"methods", methods}};
+            {"methods", methods},
+            {"failed", failed}};
 }
 
 }  // namespace utsuri

@@ -92,10 +92,16 @@ std::string comparison_table(const Comparison& comparison) {
     if (comparison.reflective_pixels > 0) {
         text += metric_rows(comparison, "error, reflective pixels", &MethodResult::metrics_reflective);
     }
-    text += fmt::format(
-        "\nThe reference's own noise: MSE {:.2g}, standard error {:.2g} % of the mean. Errors near it "
-        "tell nothing.\n",
-        comparison.reference_noise_mse, 100.0 * comparison.reference_noise);
+    if (std::isnan(comparison.reference_noise)) {
+        text += "\nThe reference's own noise was not estimated: that takes an even number of samples.\n";
+    } else {
+        text += fmt::format(
+            "\nThe reference's own noise: MSE {:.2g}, standard error {:.2g} % of the mean. Errors near it "
+            "tell nothing.\n",
+            comparison.reference_noise_mse, 100.0 * comparison.reference_noise);
+    }
+    for (const MethodFailure& failure : comparison.failures)
+        text += fmt::format("\n{} is missing: {}\n", method_name(failure.method), failure.message);
     return text;
 }
 

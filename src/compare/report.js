@@ -150,7 +150,7 @@ function metric(metrics, key) {
 /// A method without any systematic error and with as many samples as the reference has this MSE in
 /// expectation: the variances of both pictures add up.
 const noiseMse = 2 * data.reference.noise_mse;
-const noiseIsKnown = data.reference.settings.samples >= 2 && data.reference.settings.samples % 2 === 0;
+const noiseIsKnown = data.reference.noise_mse !== null;
 const withinNoise = (mse) => noiseIsKnown && mse !== null && mse <= noiseMse;
 
 function errorGroup(title, key, markNoise) {
@@ -168,7 +168,7 @@ function errorGroup(title, key, markNoise) {
 
 function noiseRow() {
     const relative = data.reference.noise;
-    const text = noiseIsKnown && relative !== null
+    const text = noiseIsKnown
         ? `Its own noise: MSE ${significant(data.reference.noise_mse)}, a standard error of ` +
           `${significant(100 * relative)}${thinSpace}% of the mean. Errors of this order are noise ` +
           "and tell nothing."
@@ -247,6 +247,8 @@ function fillFacts() {
         `reference ${whole(reference.settings.samples)} samples`,
         `specular chains of at most ${data.specular_depth} reflections`, `${data.light} light`].join(" · ");
     byId("interrupted").hidden = !data.interrupted;
+    byId("failed").hidden = data.failed.length === 0;
+    byId("failed-list").append(...data.failed.map((f) => make("li", {}, `${f.name}: ${f.message}`)));
     byId("command").textContent = data.command;
     const facts = [
         ["Scene", data.scene], ["Triangles", whole(data.triangles)],

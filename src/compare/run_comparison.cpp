@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace utsuri {
 namespace {
@@ -25,7 +27,7 @@ std::string file_stem(const Method& method) {
 
 struct Rendered {
     MethodResult result;
-    NoiseEstimate noise;
+    std::optional<NoiseEstimate> noise;
 };
 
 Rendered render(const RenderInput& input, const Method& method, const RenderSettings& settings,
@@ -97,9 +99,10 @@ Comparison run_comparison(const RenderInput& input, const ComparisonSettings& se
     if (reference.result.samples == 0) throw Interrupted();
     comparison.reference = std::move(reference.result);
     comparison.reference.image_file = "reference.exr";
-    comparison.reference_noise = reference.noise.relative;
     const double scale = normalisation(comparison.reference.image);
-    comparison.reference_noise_mse = reference.noise.mse * scale * scale;
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    comparison.reference_noise = reference.noise ? reference.noise->relative : kUnknown;
+    comparison.reference_noise_mse = reference.noise ? reference.noise->mse * scale * scale : kUnknown;
     comparison.exposure = settings.exposure.value_or(auto_exposure(comparison.reference.image));
 
     for (const Method& method : settings.methods) {
@@ -116,6 +119,9 @@ Comparison run_comparison(const RenderInput& input, const ComparisonSettings& se
             comparison.methods.push_back(std::move(result));
         } catch (const Interrupted&) {
             break;
+        } catch (const Error& error) {
+            // What other methods took minutes for is not lost with this one.
+            comparison.failures.push_back({method, error.what(), error.exit_code()});
         }
     }
     comparison.interrupted = progress.cancelled();

@@ -75,8 +75,9 @@ TEST_F(SphereMap, TexelsHaveEqualSolidAngles) {
             glm::rotate(glm::dmat4(1.0), angle, glm::dvec3(0.6, 0.8, 0));
         add_ball(scene, glm::vec3(0.0f));
         MapObserver observer(device(), scene, MapKind::sphere, {kSize, 16, std::nullopt});
+        const Image map = observer.maps(look_at({0, 0, 3}, {0, 0, 0})).front();
         double sum = 0.0;
-        for (const glm::vec3& texel : observer.maps(look_at({0, 0, 3}, {0, 0, 0})).front().pixels) {
+        for (const glm::vec3& texel : map.pixels) {
             sum += static_cast<double>(texel.x) * 16.0 / (kSize * kSize);
         }
         EXPECT_NEAR(sum, 0.805431683, bound) << "turned by " << angle;

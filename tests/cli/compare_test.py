@@ -6,7 +6,7 @@ import tempfile
 import unittest
 
 import picture_file
-from cli_case import DIFFERENCE, CliCase, cheap_compare
+from cli_case import DIFFERENCE, USAGE, CliCase, cheap_compare
 
 METHODS = ["direct/trace", "direct/polygon-map", "direct/sphere-map"]
 TOP_FIELDS = {"schema": int, "utsuri": str, "scene": str, "device": dict, "width": int, "height": int,
@@ -163,6 +163,22 @@ class CompareOthers(Compare):
         names = [result["name"] for result in values["methods"]]
         self.assertEqual(names, ["direct/sphere-map", "direct/trace"])
         self.assertEqual({path.name for path in (self.scratch / "report").iterdir()}, named_files(values))
+
+    def test_finished_methods_outlive_one_that_fails(self):
+        # The maps of the office's two mirrors at this size.
+        needed = 2 * 6 * (4096 + 2) ** 2 * 12
+        listed = self.json_of("devices")
+        device = listed["devices"][listed["chosen"]]
+        if device["storage_range_bytes"] >= needed:
+            self.skipTest(f"{device['name']} can hold the largest maps there are")
+        done = self.succeed("compare", self.scene("office"), "-o", "report", "--size", "64x48", "--spp", "2",
+                            "--reference-spp", "2", "--map-size", "4096", "--methods", "polygon-map,trace",
+                            code=USAGE)
+        self.assertRegex(done.stderr, "direct/polygon-map: .*--map-size may be at most")
+        values = self.load("report/compare.json")
+        self.assertEqual([result["name"] for result in values["methods"]], ["direct/trace"])
+        self.assertEqual([failure["name"] for failure in values["failed"]], ["direct/polygon-map"])
+        self.assertFalse(values["interrupted"])
 
     def test_odd_reference_becomes_even(self):
         values = self.compare("cornell", "--methods", "trace", reference_samples=3)

@@ -145,6 +145,23 @@ TEST(ComparisonJson, IsWholeWhenInterrupted) {
     EXPECT_EQ(json["methods"], Json::array());
 }
 
+TEST(ComparisonJson, NamesMethodsThatFailed) {
+    Comparison comparison = small_comparison();
+    EXPECT_EQ(comparison_to_json(comparison)["failed"], Json::array());
+    comparison.failures.push_back(
+        {{LightMethod::direct, ReflectionMethod::sphere_map}, "too large", ExitCode::usage});
+    EXPECT_EQ(comparison_to_json(comparison)["failed"],
+              Json::array({{{"name", "direct/sphere-map"}, {"message", "too large"}}}));
+}
+
+TEST(ComparisonJson, UnknownNoiseIsNull) {
+    Comparison comparison = small_comparison();
+    comparison.reference_noise = comparison.reference_noise_mse = std::numeric_limits<double>::quiet_NaN();
+    const Json json = comparison_to_json(comparison);
+    EXPECT_TRUE(json["reference"]["noise"].is_null());
+    EXPECT_TRUE(json["reference"]["noise_mse"].is_null());
+}
+
 TEST(ComparisonJson, IsWhatAParserReadsBack) {
     Comparison comparison = small_comparison();
     comparison.scene = "a \"quoted\" \\ name\n with \xc3\xa9";

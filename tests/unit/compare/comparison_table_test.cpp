@@ -158,5 +158,21 @@ TEST(ComparisonTable, NothingWasFinished) {
     EXPECT_THAT(row(comparison_table(comparison), "reference", 0), testing::Contains("0"));
 }
 
+TEST(ComparisonTable, SaysWhyAMethodIsMissing) {
+    Comparison comparison = small_comparison();
+    EXPECT_THAT(comparison_table(comparison), Not(HasSubstr("missing")));
+    comparison.failures.push_back(
+        {{LightMethod::direct, ReflectionMethod::sphere_map}, "too large", ExitCode::usage});
+    EXPECT_THAT(comparison_table(comparison), HasSubstr("direct/sphere-map is missing: too large"));
+}
+
+TEST(ComparisonTable, SaysThatNoiseIsUnknown) {
+    Comparison comparison = small_comparison();
+    EXPECT_THAT(comparison_table(comparison), Not(HasSubstr("not estimated")));
+    comparison.reference_noise = comparison.reference_noise_mse = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THAT(comparison_table(comparison), HasSubstr("noise was not estimated"));
+    EXPECT_THAT(comparison_table(comparison), Not(HasSubstr("nan")));
+}
+
 }  // namespace
 }  // namespace utsuri

@@ -244,6 +244,13 @@ TEST(Report, CanBeMadeBeforeAnyMethodHasFinished) {
     EXPECT_EQ(data["interrupted"], true);
 }
 
+TEST(Report, NamesMethodsThatFailed) {
+    Comparison comparison = make_comparison();
+    comparison.failures.push_back(
+        {{LightMethod::direct, ReflectionMethod::sphere_map}, "too large", ExitCode::usage});
+    EXPECT_EQ(data_of(make_report(comparison))["failed"][0]["message"], "too large");
+}
+
 TEST(Report, LeavesOutPicturesThatAreEmpty) {
     Comparison comparison = make_comparison();
     comparison.methods[1].flip = Plane();
