@@ -13,6 +13,7 @@ function(utsuri_add_test name)
         # Tests are built more often than they run, and GCC 12's warnings about std::vector are wrong at -O3.
         target_compile_options(${name} PRIVATE -O1)
     endif()
+    target_precompile_headers(${name} REUSE_FROM utsuri_test_support)
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 300)
     endif()
