@@ -60,8 +60,8 @@ struct Comparison {
     std::uint64_t scene_bytes = 0;  ///< device memory of the scene
     std::uint64_t triangles = 0;
     MethodResult reference;
-    /// Relative standard error of the reference's pixels (NoiseEstimate); not a number where an interruption left an
-    /// odd number of samples, which cannot be halved.
+    /// Relative standard error of the reference's pixels (NoiseEstimate); not a number where an interruption
+    /// left an odd number of samples, which cannot be halved.
     double reference_noise = 0.0;
     double reference_noise_mse = 0.0;  ///< in the unit of Metrics::mse
     std::vector<MethodResult> methods;

@@ -17,8 +17,8 @@ struct ComparisonSettings {
     std::optional<double> exposure;  ///< stops; found from the reference if not set
 };
 
-/// Renders reference and methods, and measures. Stops early if progress says so, with what was finished. A method that
-/// fails is noted in Comparison::failures, and the others go on.
+/// Renders reference and methods, and measures. Stops early if progress says so, with what was finished. A
+/// method that fails is noted in Comparison::failures, and the others go on.
 /// @throws Error if the reference fails
 Comparison run_comparison(const RenderInput& input, const ComparisonSettings& settings, Progress& progress);
 
