@@ -18,7 +18,8 @@ enum class ExitCode : int {
 };
 
 /// A failure that is nobody's bug: bad input or a failing device. The text reads "operation object: problem",
-/// where the problem also says what would be right. Caught only in main().
+/// where the problem also says what would be right. Caught in main(), and where a comparison goes on without
+/// a method.
 class Error : public std::runtime_error {
   public:
     Error(ExitCode code, std::string_view operation, std::string_view object, std::string_view problem);

@@ -75,13 +75,14 @@ void make_output_folder(const fs::path& folder) {
     fs::create_directories(folder, error);
     if (error || !fs::is_directory(folder)) {
         throw InputError("create output folder", fmt::format("'{}'", folder.string()),
-                         error ? error.message() : std::string("a file of that name is in the way"));
+                         fmt::format("{}; choose a folder that can be made, with -o",
+                                     error ? error.message() : "a file of that name is in the way"));
     }
     const fs::path probe = folder / ".utsuri-write-probe";
     std::ofstream stream(probe);
     if (!stream) {
         throw InputError("write into output folder", fmt::format("'{}'", folder.string()),
-                         "permission denied");
+                         "permission denied; choose a folder that can be written, with -o");
     }
     stream.close();
     fs::remove(probe, error);

@@ -28,6 +28,7 @@ Specialization specialise(const SceneData& data) {
 
 GpuScene::GpuScene(Device& device, const SceneData& data)
     : specialization_(specialise(data)),
+      specular_depth_(data.requirements.specular_depth),
       nodes_(upload(device, data.bvh.nodes, "BVH nodes")),
       triangles_(upload(device, data.bvh.triangles, "BVH triangles")),
       triangle_infos_(upload(device, data.triangle_infos, "triangle infos")),

@@ -3,12 +3,14 @@
 
 #include "kernels/trace_direct.h"
 
+#include <algorithm>
+
 namespace utsuri {
 
 RayTracer::RayTracer(Device& device, const GpuScene& scene, const interop::CameraInfo& camera,
                      const RenderSettings& settings)
     : device_(device),
-      frame_{camera, settings.seed, settings.specular_depth, interop::NONE},
+      frame_{camera, settings.seed, std::min(settings.specular_depth, scene.specular_depth()), interop::NONE},
       kernel_(device, "trace_direct", kernels::trace_direct, scene.specialization(), scene.bindings()) {}
 
 void RayTracer::prepare(Progress&) {

@@ -44,8 +44,9 @@ MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& 
                      sizeof(interop::ReflectVerticesPush)),
       vertex_bindings_(vertex_kernel_.bind({{interop::BINDING_REFLECTOR_VERTICES, &vertices_},
                                             {interop::BINDING_VERTEX_REFLECTIONS, &vertex_reflections_}})),
-      frame_{make_camera_info(camera, data.origin, settings.width, settings.height), settings.seed,
-             settings.specular_depth, interop::NONE},
+      // Reflections are looked up: no chain is followed.
+      frame_{make_camera_info(camera, data.origin, settings.width, settings.height), settings.seed, 0,
+             interop::NONE},
       kernel_(device, kind == MapKind::polygon ? "polygon_map" : "sphere_map", kernel_code(kind),
               with_map_size(scene.specialization(), map_settings.size), all_bindings()) {}
 

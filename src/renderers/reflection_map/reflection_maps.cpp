@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace utsuri {
@@ -121,7 +122,7 @@ FrameCounts ReflectionMaps::capture(const GpuScene& scene, const Camera& eye, co
         frame.camera = map_camera(reflector, map % maps_per_reflector(), eye);
         // Any odd multiple of the map's number keeps the samples of maps and picture apart.
         frame.seed = settings.seed ^ (0x9e3779b9u * (map + 1));
-        frame.specular_depth = settings.specular_depth;
+        frame.specular_depth = std::min(settings.specular_depth, scene.specular_depth());
         frame.excluded_instance = reflectors_.instances[reflector];
         accumulate(counts, tracer.add_samples(film, frame, settings_.samples, silent));
 
