@@ -18,6 +18,12 @@ function(utsuri_configure_target target)
         target_compile_options(${target} PUBLIC -fsanitize=${UTSURI_SANITIZE} -fno-omit-frame-pointer
                                -fno-sanitize-recover=all)
         target_link_options(${target} PUBLIC -fsanitize=${UTSURI_SANITIZE})
+        # GCC's own std::function, instrumented, looks uninitialized to it.
+        target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
+        get_target_property(type ${target} TYPE)
+        if(type STREQUAL "EXECUTABLE")
+            target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/keep_modules_loaded.cpp)
+        endif()
     endif()
 endfunction()
 
