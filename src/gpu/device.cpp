@@ -63,6 +63,8 @@ Device::Device(const VulkanInstance& instance, std::string_view wanted)
     });
 }
 
+Device::~Device() = default;
+
 double Device::run(std::string_view operation,
                    const std::function<void(const vk::raii::CommandBuffer&)>& record) {
     return vulkan_call(operation, summary_.name, [&] {

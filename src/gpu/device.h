@@ -26,6 +26,9 @@ struct MemoryUsage {
 
 /// A logical device with one compute queue. Work is submitted and waited for, so nothing is ever in flight
 /// when a call returns. Not copyable or movable: every buffer and kernel refers to it. One thread at a time.
+///
+/// Like all classes that hold Vulkan objects it is destroyed and moved in its own source file: code that
+/// vulkan_raii.hpp inlines differs with NDEBUG, and a debug build may use a release build of this library.
 class Device {
   public:
     /// @param wanted see choose_device()
@@ -33,6 +36,7 @@ class Device {
     Device(const VulkanInstance& instance, std::string_view wanted);
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
+    ~Device();
 
     [[nodiscard]] const vk::raii::Device& handle() const { return *device_; }
     [[nodiscard]] const DeviceSummary& summary() const { return summary_; }

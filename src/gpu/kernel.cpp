@@ -55,6 +55,13 @@ vk::raii::Pipeline create_pipeline(const Device& device, const std::string& name
 
 }  // namespace
 
+BindingSet::BindingSet(vk::raii::DescriptorPool pool, vk::raii::DescriptorSet set)
+    : pool_(std::move(pool)), set_(std::move(set)) {}
+
+BindingSet::BindingSet(BindingSet&& other) noexcept = default;
+BindingSet& BindingSet::operator=(BindingSet&& other) noexcept = default;
+BindingSet::~BindingSet() = default;
+
 Kernel::Kernel(Device& device, std::string name, std::span<const std::uint32_t> spirv,
                const Specialization& specialization, std::uint32_t push_bytes)
     : device_(&device),
@@ -68,6 +75,10 @@ Kernel::Kernel(Device& device, std::string name, std::span<const std::uint32_t> 
       pipeline_(vulkan_call("create kernel", name_,
                             [&] { return create_pipeline(device, name_, spirv, specialization, layout_); })) {
 }
+
+Kernel::Kernel(Kernel&& other) noexcept = default;
+Kernel& Kernel::operator=(Kernel&& other) noexcept = default;
+Kernel::~Kernel() = default;
 
 BindingSet Kernel::bind(const Bindings& buffers) const {
     return vulkan_call("bind buffers of kernel", name_, [&] {

@@ -19,8 +19,10 @@ using Bindings = std::map<std::uint32_t, const Buffer*>;
 /// A set of buffers bound for one kernel. The buffers must outlive it.
 class BindingSet {
   public:
-    BindingSet(vk::raii::DescriptorPool pool, vk::raii::DescriptorSet set)
-        : pool_(std::move(pool)), set_(std::move(set)) {}
+    BindingSet(vk::raii::DescriptorPool pool, vk::raii::DescriptorSet set);
+    BindingSet(BindingSet&& other) noexcept;
+    BindingSet& operator=(BindingSet&& other) noexcept;
+    ~BindingSet();
     [[nodiscard]] vk::DescriptorSet handle() const { return *set_; }
 
   private:
@@ -35,6 +37,9 @@ class Kernel {
     /// @param push_bytes size of the push constant block, 0 for none, at most 128
     Kernel(Device& device, std::string name, std::span<const std::uint32_t> spirv,
            const Specialization& specialization, std::uint32_t push_bytes);
+    Kernel(Kernel&& other) noexcept;
+    Kernel& operator=(Kernel&& other) noexcept;
+    ~Kernel();
 
     /// Binds buffers; extra entries are passed over, a missing one is a failed check.
     [[nodiscard]] BindingSet bind(const Bindings& buffers) const;

@@ -94,4 +94,6 @@ VulkanInstance::VulkanInstance(Validation validation) {
     }
 }
 
+VulkanInstance::~VulkanInstance() = default;
+
 }  // namespace utsuri

@@ -32,6 +32,9 @@ class VulkanInstance {
     /// @param validation `on` needs the Khronos validation layer and watches synchronization too
     /// @throws DeviceError if there is no Vulkan loader or driver, or the layer is missing
     explicit VulkanInstance(Validation validation = Validation::off);
+    VulkanInstance(const VulkanInstance&) = delete;
+    VulkanInstance& operator=(const VulkanInstance&) = delete;
+    ~VulkanInstance();
 
     [[nodiscard]] const vk::raii::Instance& handle() const { return *instance_; }
     [[nodiscard]] ValidationMessages& validation_messages() { return *messages_; }
