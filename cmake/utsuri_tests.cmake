@@ -1,4 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
+# utsuri_configure_test_target(TARGET): what all code of the tests has. They share precompiled headers, for which compilers
+# want the same options.
+function(utsuri_configure_test_target target)
+    utsuri_configure_target(${target})
+    if(NOT MSVC)
+        # Tests are built more often than they run, and GCC 12's warnings about std::vector are wrong at -O3.
+        target_compile_options(${target} PRIVATE -O1)
+    endif()
+endfunction()
+
 # utsuri_add_test(NAME SOURCES ... LIBS ... [LABELS ...] [ENVIRONMENT ...] [TIMEOUT seconds])
 # A GoogleTest program whose suites become one ctest entry each: a suite shares its device and its pipelines.
 function(utsuri_add_test name)
@@ -8,11 +18,7 @@ function(utsuri_add_test name)
     target_link_libraries(${name} PRIVATE ${arg_LIBS} GTest::gmock GTest::gtest_main)
     target_compile_definitions(${name} PRIVATE
         UTSURI_SOURCE_DIR="${PROJECT_SOURCE_DIR}" UTSURI_BINARY_DIR="${CMAKE_BINARY_DIR}")
-    utsuri_configure_target(${name})
-    if(NOT MSVC)
-        # Tests are built more often than they run, and GCC 12's warnings about std::vector are wrong at -O3.
-        target_compile_options(${name} PRIVATE -O1)
-    endif()
+    utsuri_configure_test_target(${name})
     target_precompile_headers(${name} REUSE_FROM utsuri_test_support)
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 300)

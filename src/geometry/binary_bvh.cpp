@@ -166,7 +166,7 @@ class Builder {
 
 BinaryBvh build_binary_bvh(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles,
                            std::uint32_t max_depth) {
-    UTSURI_CHECK_LE(std::bit_width(triangles.size()) + 1, max_depth);
+    UTSURI_CHECK_LE(static_cast<std::uint32_t>(std::bit_width(triangles.size())) + 1, max_depth);
     return Builder(positions, triangles, max_depth).build();
 }
 

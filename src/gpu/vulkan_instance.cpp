@@ -21,11 +21,13 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
 vk::DebugUtilsMessengerCreateInfoEXT messenger_info(ValidationMessages* messages) {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-    return vk::DebugUtilsMessengerCreateInfoEXT{{},
-                                                Severity::eWarning | Severity::eError,
-                                                Type::eValidation | Type::ePerformance,
-                                                on_message,
-                                                messages};
+    vk::DebugUtilsMessengerCreateInfoEXT info;
+    info.messageSeverity = Severity::eWarning | Severity::eError;
+    info.messageType = Type::eValidation | Type::ePerformance;
+    // Newer headers have C++ types for the parameters, of the same layout.
+    info.pfnUserCallback = reinterpret_cast<decltype(info.pfnUserCallback)>(&on_message);
+    info.pUserData = messages;
+    return info;
 }
 
 bool has_extension(const std::vector<vk::ExtensionProperties>& available, const char* name) {

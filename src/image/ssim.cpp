@@ -13,7 +13,7 @@
 namespace utsuri {
 namespace {
 
-constexpr int kRadius = 5;
+constexpr std::size_t kRadius = 5;
 constexpr double kDeviation = 1.5;
 constexpr double kC1 = 0.01 * 0.01;
 constexpr double kC2 = 0.03 * 0.03;
@@ -45,9 +45,11 @@ Rows padded_luma(const Image& image) {
     const std::size_t height = image.height + 2 * kRadius;
     Rows rows(width, height);
     for (std::size_t y = 0; y < height; ++y) {
-        const std::size_t source_y = mirrored(static_cast<std::int64_t>(y) - kRadius, image.height);
+        const std::size_t source_y =
+            mirrored(static_cast<std::int64_t>(y) - static_cast<std::int64_t>(kRadius), image.height);
         for (std::size_t x = 0; x < width; ++x) {
-            const std::size_t source_x = mirrored(static_cast<std::int64_t>(x) - kRadius, image.width);
+            const std::size_t source_x =
+                mirrored(static_cast<std::int64_t>(x) - static_cast<std::int64_t>(kRadius), image.width);
             rows.values()[y * width + x] =
                 static_cast<double>(luminance(image.pixels[source_y * image.width + source_x]));
         }
@@ -80,8 +82,9 @@ Plane ssim_map(const Image& reference, const Image& test) {
     Plane map(reference.width, reference.height);
     if (map.values.empty()) return map;
 
-    Kernel<double> kernel = sample_kernel<double>(
-        kRadius, [](double offset) { return std::exp(-offset * offset / (2.0 * kDeviation * kDeviation)); });
+    Kernel<double> kernel = sample_kernel<double>(static_cast<int>(kRadius), [](double offset) {
+        return std::exp(-offset * offset / (2.0 * kDeviation * kDeviation));
+    });
     normalise_by_sign(kernel);
     const Rows a = padded_luma(reference);
     const Rows b = padded_luma(test);

@@ -124,9 +124,9 @@ tinygltf::Model typed_model(const SourceFile& file, Json json) {
 }  // namespace
 
 const Json& extension_of(const Json& parent, const char* name) {
-    static const Json kEmpty = Json::object();
+    static const Json empty = Json::object();
     const auto extensions = parent.find("extensions");
-    if (extensions == parent.end() || !extensions->is_object()) return kEmpty;
+    if (extensions == parent.end() || !extensions->is_object()) return empty;
     const auto found = extensions->find(name);
     return found != extensions->end() && found->is_object() ? *found : kEmpty;
 }

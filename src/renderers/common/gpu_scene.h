@@ -21,8 +21,8 @@ class GpuScene {
     [[nodiscard]] Bindings bindings() const;
     /// Values of the constants that follow from the scene.
     [[nodiscard]] const Specialization& specialization() const { return specialization_; }
-    /// Most specular reflections that a ray can meet: Requirements::specular_depth. What a kernel need not follow
-    /// leaves room for more samples in a dispatch.
+    /// Most specular reflections that a ray can meet: Requirements::specular_depth. What a kernel need not
+    /// follow leaves room for more samples in a dispatch.
     [[nodiscard]] std::uint32_t specular_depth() const { return specular_depth_; }
 
   private:
