@@ -19,15 +19,16 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
 }
 
 vk::DebugUtilsMessengerCreateInfoEXT messenger_info(ValidationMessages* messages) {
-    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
-    using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-    vk::DebugUtilsMessengerCreateInfoEXT info;
-    info.messageSeverity = Severity::eWarning | Severity::eError;
-    info.messageType = Type::eValidation | Type::ePerformance;
-    // Newer headers have C++ types for the parameters, of the same layout.
-    info.pfnUserCallback = reinterpret_cast<decltype(info.pfnUserCallback)>(&on_message);
+    // The C struct, because headers differ in what type the C++ one gives the callback.
+    VkDebugUtilsMessengerCreateInfoEXT info{};
+    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+    info.messageSeverity =
+        VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+    info.messageType =
+        VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+    info.pfnUserCallback = on_message;
     info.pUserData = messages;
-    return info;
+    return vk::DebugUtilsMessengerCreateInfoEXT(info);
 }
 
 bool has_extension(const std::vector<vk::ExtensionProperties>& available, const char* name) {

@@ -128,7 +128,7 @@ const Json& extension_of(const Json& parent, const char* name) {
     const auto extensions = parent.find("extensions");
     if (extensions == parent.end() || !extensions->is_object()) return empty;
     const auto found = extensions->find(name);
-    return found != extensions->end() && found->is_object() ? *found : kEmpty;
+    return found != extensions->end() && found->is_object() ? *found : empty;
 }
 
 Document load_document(const std::filesystem::path& path) {
