@@ -10,6 +10,11 @@ INTEROP_CONSTANT CUBE_FACES = 6u;
 /// Texels around a map that repeat what its neighbours see, so that filtering needs no neighbour.
 INTEROP_CONSTANT MAP_BORDER = 1u;
 
+/// A polyhedron of maps in world space, addressed by interpolated reflection vectors.
+INTEROP_CONSTANT MAP_KIND_POLYGON = 0u;
+/// One OpenGL sphere map in eye space, addressed by interpolated texture coordinates.
+INTEROP_CONSTANT MAP_KIND_SPHERE = 1u;
+
 struct ReflectorInfo {
     vec3 capture_point;
     uint first_texel;  ///< of this reflector's maps, in texels

@@ -17,7 +17,8 @@ INTEROP_CONSTANT SPEC_EXCLUDES_INSTANCE = 8u;  ///< FramePush::excluded_instance
 INTEROP_CONSTANT SPEC_MAP_SIZE = 9u;           ///< texels along an edge of a map, border not counted
 INTEROP_CONSTANT SPEC_ANY_HIT = 10u;           ///< the ray list kernel asks whether, not where
 INTEROP_CONSTANT SPEC_LIGHT_COUNT = 11u;
-INTEROP_CONSTANT SPEC_COUNT = 12u;
+INTEROP_CONSTANT SPEC_MAP_KIND = 12u;  ///< MAP_KIND_ of interop/reflection.h
+INTEROP_CONSTANT SPEC_COUNT = 13u;
 
 INTEROP_END
 #endif

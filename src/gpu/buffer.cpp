@@ -17,33 +17,37 @@ using Memory = vk::MemoryPropertyFlagBits;
 /// Copies go through host memory in pieces, so that a large scene does not need twice its memory.
 constexpr std::uint64_t kStagingBytes = 32ull << 20;
 
-vk::raii::Buffer create_buffer(const Device& device, std::uint64_t bytes) {
-    using Usage = vk::BufferUsageFlagBits;
-    return device.handle().createBuffer({{},
-                                         bytes,
-                                         Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst,
-                                         vk::SharingMode::eExclusive});
+std::string describe(const Device& device, std::uint64_t bytes, const std::string& name) {
+    return fmt::format("'{}' of {} bytes on {}", name, bytes, device.summary().name);
 }
 
-struct Allocation {
-    vk::raii::DeviceMemory memory;
-    std::uint64_t bytes;
-    bool host_visible;
-};
+vk::raii::Buffer create_buffer(const Device& device, std::uint64_t bytes) {
+    using Usage = vk::BufferUsageFlagBits;
+    return device.handle().createBuffer(
+        {{},
+         bytes,
+         Usage::eStorageBuffer | Usage::eIndirectBuffer | Usage::eTransferSrc | Usage::eTransferDst,
+         vk::SharingMode::eExclusive});
+}
 
-/// Takes the first kind of memory that the device has.
-Allocation allocate(const Device& device, const vk::raii::Buffer& buffer,
-                    std::initializer_list<vk::MemoryPropertyFlags> preferences) {
-    const vk::MemoryRequirements needs = buffer.getMemoryRequirements();
-    for (const vk::MemoryPropertyFlags wanted : preferences) {
-        const auto type = device.memory_type(needs.memoryTypeBits, wanted);
-        if (!type) continue;
-        vk::raii::DeviceMemory memory = device.handle().allocateMemory({needs.size, *type});
-        buffer.bindMemory(*memory, 0);
-        const vk::MemoryPropertyFlags mappable = Memory::eHostVisible | Memory::eHostCoherent;
-        return {std::move(memory), needs.size, (device.memory_type_flags(*type) & mappable) == mappable};
+DeviceMemory bind_memory(Device& device, const vk::raii::Buffer& buffer,
+                         std::initializer_list<vk::MemoryPropertyFlags> preferences) {
+    DeviceMemory memory(device, buffer.getMemoryRequirements(), preferences);
+    buffer.bindMemory(*memory.handle(), 0);
+    return memory;
+}
+
+/// @throws DeviceError if no kernel could see all of the buffer
+std::uint64_t checked_size(const Device& device, std::uint64_t bytes, const std::string& name) {
+    UTSURI_CHECK_LT(0u, bytes);
+    if (bytes > device.summary().storage_range_bytes) {
+        throw DeviceError(
+            "create buffer", describe(device, bytes, name),
+            fmt::format("a kernel on this device can see at most {} bytes of a buffer; use a smaller "
+                        "scene or picture, or another device",
+                        device.summary().storage_range_bytes));
     }
-    throw DeviceError("allocate memory", device.summary().name, "no memory type fits");
+    return bytes;
 }
 
 /// Orders a transfer against the kernels before and after it.
@@ -58,81 +62,45 @@ void barrier(const vk::raii::CommandBuffer& commands) {
 }  // namespace
 
 Buffer::Buffer(Device& device, std::uint64_t bytes, std::string name)
-    : device_(&device), size_(bytes), name_(std::move(name)) {
-    UTSURI_CHECK_LT(0u, bytes);
-    const std::string object = fmt::format("'{}' of {} bytes on {}", name_, bytes, device.summary().name);
-    if (bytes > device.summary().storage_range_bytes) {
-        throw DeviceError(
-            "create buffer", object,
-            fmt::format("a kernel on this device can see at most {} bytes of a buffer; use a smaller "
-                        "scene or picture, or another device",
-                        device.summary().storage_range_bytes));
-    }
-    vulkan_call("create buffer", object, [&] {
-        buffer_ = create_buffer(device, bytes);
-        Allocation allocation = allocate(
-            device, *buffer_,
-            {Memory::eDeviceLocal | Memory::eHostVisible | Memory::eHostCoherent | Memory::eHostCached,
-             Memory::eDeviceLocal, vk::MemoryPropertyFlags{}});
-        memory_ = std::move(allocation.memory);
-        allocated_ = allocation.bytes;
-        host_visible_ = allocation.host_visible;
-    });
-    device.note_memory(static_cast<std::int64_t>(allocated_));
-    device.set_name(vk::ObjectType::eBuffer,
-                    reinterpret_cast<std::uint64_t>(static_cast<VkBuffer>(**buffer_)), name_);
+    : device_(&device),
+      size_(checked_size(device, bytes, name)),
+      name_(std::move(name)),
+      buffer_(vulkan_call("create buffer", describe(device, bytes, name_),
+                          [&] { return create_buffer(device, bytes); })),
+      memory_(vulkan_call("create buffer", describe(device, bytes, name_), [&] {
+          return bind_memory(
+              device, buffer_,
+              {Memory::eDeviceLocal | Memory::eHostVisible | Memory::eHostCoherent | Memory::eHostCached,
+               Memory::eDeviceLocal, vk::MemoryPropertyFlags{}});
+      })) {
+    device.set_name(vk::ObjectType::eBuffer, reinterpret_cast<std::uint64_t>(static_cast<VkBuffer>(*buffer_)),
+                    name_);
 }
 
-Buffer::Buffer(Buffer&& other) noexcept
-    : device_(other.device_),
-      size_(other.size_),
-      name_(std::move(other.name_)),
-      buffer_(std::move(other.buffer_)),
-      memory_(std::move(other.memory_)),
-      allocated_(std::exchange(other.allocated_, 0)),
-      host_visible_(other.host_visible_) {}
-
-Buffer& Buffer::operator=(Buffer&& other) noexcept {
-    if (this != &other) {
-        release();
-        device_ = other.device_;
-        size_ = other.size_;
-        name_ = std::move(other.name_);
-        buffer_ = std::move(other.buffer_);
-        memory_ = std::move(other.memory_);
-        allocated_ = std::exchange(other.allocated_, 0);
-        host_visible_ = other.host_visible_;
-    }
-    return *this;
-}
-
-Buffer::~Buffer() {
-    release();
-}
-
-void Buffer::release() noexcept {
-    if (allocated_ != 0) device_->note_memory(-static_cast<std::int64_t>(std::exchange(allocated_, 0)));
-}
+Buffer::Buffer(Buffer&& other) noexcept = default;
+Buffer& Buffer::operator=(Buffer&& other) noexcept = default;
+Buffer::~Buffer() = default;
 
 void Buffer::upload(std::span<const std::byte> bytes, std::uint64_t offset) {
     UTSURI_CHECK_LE(offset + bytes.size(), size_);
     if (bytes.empty()) return;
     vulkan_call("upload", name_, [&] {
-        if (host_visible_) {
-            void* target = memory_->mapMemory(offset, bytes.size());
+        if (memory_.host_visible()) {
+            void* target = memory_.handle().mapMemory(offset, bytes.size());
             std::memcpy(target, bytes.data(), bytes.size());
-            memory_->unmapMemory();
+            memory_.handle().unmapMemory();
             return;
         }
         const std::uint64_t piece = std::min<std::uint64_t>(bytes.size(), kStagingBytes);
         const vk::raii::Buffer staging = create_buffer(*device_, piece);
-        const Allocation memory = allocate(*device_, staging, {Memory::eHostVisible | Memory::eHostCoherent});
+        const DeviceMemory memory =
+            bind_memory(*device_, staging, {Memory::eHostVisible | Memory::eHostCoherent});
         for (std::uint64_t done = 0; done < bytes.size(); done += piece) {
             const std::uint64_t now = std::min<std::uint64_t>(piece, bytes.size() - done);
-            std::memcpy(memory.memory.mapMemory(0, now), bytes.data() + done, now);
-            memory.memory.unmapMemory();
+            std::memcpy(memory.handle().mapMemory(0, now), bytes.data() + done, now);
+            memory.handle().unmapMemory();
             device_->run("upload", [&](const vk::raii::CommandBuffer& commands) {
-                commands.copyBuffer(*staging, **buffer_, vk::BufferCopy(0, offset + done, now));
+                commands.copyBuffer(*staging, *buffer_, vk::BufferCopy(0, offset + done, now));
                 barrier(commands);
             });
         }
@@ -143,41 +111,41 @@ void Buffer::download(std::span<std::byte> bytes, std::uint64_t offset) const {
     UTSURI_CHECK_LE(offset + bytes.size(), size_);
     if (bytes.empty()) return;
     vulkan_call("read back", name_, [&] {
-        if (host_visible_) {
-            const void* source = memory_->mapMemory(offset, bytes.size());
+        if (memory_.host_visible()) {
+            const void* source = memory_.handle().mapMemory(offset, bytes.size());
             std::memcpy(bytes.data(), source, bytes.size());
-            memory_->unmapMemory();
+            memory_.handle().unmapMemory();
             return;
         }
         const std::uint64_t piece = std::min<std::uint64_t>(bytes.size(), kStagingBytes);
         const vk::raii::Buffer staging = create_buffer(*device_, piece);
-        const Allocation memory =
-            allocate(*device_, staging,
-                     {Memory::eHostVisible | Memory::eHostCoherent | Memory::eHostCached,
-                      Memory::eHostVisible | Memory::eHostCoherent});
+        const DeviceMemory memory =
+            bind_memory(*device_, staging,
+                        {Memory::eHostVisible | Memory::eHostCoherent | Memory::eHostCached,
+                         Memory::eHostVisible | Memory::eHostCoherent});
         for (std::uint64_t done = 0; done < bytes.size(); done += piece) {
             const std::uint64_t now = std::min<std::uint64_t>(piece, bytes.size() - done);
             device_->run("read back", [&](const vk::raii::CommandBuffer& commands) {
                 barrier(commands);
-                commands.copyBuffer(**buffer_, *staging, vk::BufferCopy(offset + done, 0, now));
+                commands.copyBuffer(*buffer_, *staging, vk::BufferCopy(offset + done, 0, now));
                 barrier(commands);
             });
-            std::memcpy(bytes.data() + done, memory.memory.mapMemory(0, now), now);
-            memory.memory.unmapMemory();
+            std::memcpy(bytes.data() + done, memory.handle().mapMemory(0, now), now);
+            memory.handle().unmapMemory();
         }
     });
 }
 
 void Buffer::fill_with_zero() {
-    if (host_visible_) {
+    if (memory_.host_visible()) {
         vulkan_call("clear", name_, [&] {
-            std::memset(memory_->mapMemory(0, size_), 0, size_);
-            memory_->unmapMemory();
+            std::memset(memory_.handle().mapMemory(0, size_), 0, size_);
+            memory_.handle().unmapMemory();
         });
         return;
     }
     device_->run("clear", [&](const vk::raii::CommandBuffer& commands) {
-        commands.fillBuffer(**buffer_, 0, VK_WHOLE_SIZE, 0);
+        commands.fillBuffer(*buffer_, 0, VK_WHOLE_SIZE, 0);
         barrier(commands);
     });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gpu/device.h"
+#include "gpu/device_memory.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,8 @@
 
 namespace utsuri {
 
-/// A storage buffer with its own memory, in device memory where there is some. Move-only.
+/// A storage buffer with its own memory, in device memory where there is some. It can also hold the arguments
+/// of indirect draws. Move-only.
 class Buffer {
   public:
     /// @param bytes at least 1; at most the device's storage range
@@ -22,11 +23,9 @@ class Buffer {
     Buffer(Device& device, std::uint64_t bytes, std::string name);
     Buffer(Buffer&& other) noexcept;
     Buffer& operator=(Buffer&& other) noexcept;
-    Buffer(const Buffer&) = delete;
-    Buffer& operator=(const Buffer&) = delete;
     ~Buffer();
 
-    [[nodiscard]] vk::Buffer handle() const { return **buffer_; }
+    [[nodiscard]] vk::Buffer handle() const { return *buffer_; }
     [[nodiscard]] std::uint64_t size() const { return size_; }
     [[nodiscard]] const std::string& name() const { return name_; }
 
@@ -44,15 +43,11 @@ class Buffer {
     }
 
   private:
-    void release() noexcept;
-
     Device* device_;
     std::uint64_t size_;
     std::string name_;
-    std::optional<vk::raii::Buffer> buffer_;
-    std::optional<vk::raii::DeviceMemory> memory_;
-    std::uint64_t allocated_ = 0;
-    bool host_visible_ = false;
+    vk::raii::Buffer buffer_;
+    DeviceMemory memory_;
 };
 
 /// A buffer that holds the given records. Without records it holds one zeroed record, because Vulkan has no

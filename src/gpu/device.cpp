@@ -27,6 +27,7 @@ vk::raii::Device create_device(const vk::raii::PhysicalDevice& physical, std::ui
     v12.scalarBlockLayout = VK_TRUE;
     vk::PhysicalDeviceVulkan13Features v13;
     v13.synchronization2 = VK_TRUE;
+    v13.dynamicRendering = VK_TRUE;
     // Every Vulkan 1.3 device has it; the kernels' workgroup sizes, which are specialization constants, need
     // it.
     v13.maintenance4 = VK_TRUE;
@@ -36,12 +37,15 @@ vk::raii::Device create_device(const vk::raii::PhysicalDevice& physical, std::ui
 
 }  // namespace
 
-std::optional<std::uint32_t> find_compute_family(const std::vector<vk::QueueFamilyProperties>& families) {
+std::optional<std::uint32_t> find_queue_family(const std::vector<vk::QueueFamilyProperties>& families) {
+    using Flag = vk::QueueFlagBits;
+    std::optional<std::uint32_t> found;
     for (std::uint32_t i = 0; i < families.size(); ++i) {
-        if ((families[i].queueFlags & vk::QueueFlagBits::eCompute) && families[i].timestampValidBits > 0)
-            return i;
+        if (!(families[i].queueFlags & Flag::eCompute) || families[i].timestampValidBits == 0) continue;
+        if (families[i].queueFlags & Flag::eGraphics) return i;
+        if (!found) found = i;
     }
-    return std::nullopt;
+    return found;
 }
 
 Device::Device(const VulkanInstance& instance, std::string_view wanted)
@@ -51,7 +55,7 @@ Device::Device(const VulkanInstance& instance, std::string_view wanted)
         physical_ = std::move(devices[summary_.index]);
         memory_properties_ = physical_->getMemoryProperties();
         const auto families = physical_->getQueueFamilyProperties();
-        const std::uint32_t family = find_compute_family(families).value();
+        const std::uint32_t family = find_queue_family(families).value();
         const std::uint32_t bits = families[family].timestampValidBits;
         timestamp_mask_ = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
         timestamp_seconds_ = static_cast<double>(physical_->getProperties().limits.timestampPeriod) * 1e-9;

@@ -15,8 +15,8 @@
 
 namespace utsuri {
 
-/// Queue family with compute and timestamps.
-std::optional<std::uint32_t> find_compute_family(const std::vector<vk::QueueFamilyProperties>& families);
+/// Queue family with compute and timestamps; one with graphics, too, if there is one.
+std::optional<std::uint32_t> find_queue_family(const std::vector<vk::QueueFamilyProperties>& families);
 
 /// Bytes of device memory held by buffers.
 struct MemoryUsage {

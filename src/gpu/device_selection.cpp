@@ -55,9 +55,10 @@ std::vector<std::string> missing_features(const vk::raii::PhysicalDevice& device
     const auto& v12 = features.get<vk::PhysicalDeviceVulkan12Features>();
     const auto& v13 = features.get<vk::PhysicalDeviceVulkan13Features>();
     if (v12.scalarBlockLayout == VK_FALSE) missing.push_back("scalarBlockLayout");
+    if (v13.dynamicRendering == VK_FALSE) missing.push_back("dynamicRendering");
     if (v13.synchronization2 == VK_FALSE) missing.push_back("synchronization2");
     const auto families = device.getQueueFamilyProperties();
-    if (!find_compute_family(families)) missing.push_back("a queue with compute and timestamps");
+    if (!find_queue_family(families)) missing.push_back("a queue with compute and timestamps");
     return missing;
 }
 
@@ -76,12 +77,17 @@ DeviceSummary summarise(const vk::raii::PhysicalDevice& device, std::size_t inde
                               VK_API_VERSION_MINOR(base.apiVersion), VK_API_VERSION_PATCH(base.apiVersion));
     summary.storage_range_bytes = base.limits.maxStorageBufferRange;
     summary.subgroup_size = properties.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
+    summary.image_size = std::min({base.limits.maxImageDimension2D, base.limits.maxFramebufferWidth,
+                                   base.limits.maxFramebufferHeight, base.limits.maxViewportDimensions[0]});
     const auto memory = device.getMemoryProperties();
     for (std::uint32_t i = 0; i < memory.memoryHeapCount; ++i) {
         if (memory.memoryHeaps[i].flags & vk::MemoryHeapFlagBits::eDeviceLocal) {
             summary.memory_bytes = std::max(summary.memory_bytes, std::uint64_t{memory.memoryHeaps[i].size});
         }
     }
+    const auto families = device.getQueueFamilyProperties();
+    const auto family = find_queue_family(families);
+    summary.draws = family && (families[*family].queueFlags & vk::QueueFlagBits::eGraphics);
     summary.missing = missing_features(device, base.apiVersion);
     return summary;
 }

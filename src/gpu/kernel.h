@@ -1,34 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gpu/buffer.h"
-#include "gpu/device.h"
-
-#include <map>
-#include <span>
-#include <string>
+#include "gpu/pipeline_interface.h"
 
 namespace utsuri {
-
-/// Values of specialization constants by id; ids a kernel does not declare are passed over.
-using Specialization = std::map<std::uint32_t, std::uint32_t>;
-
-/// Which buffer is bound at which binding number.
-using Bindings = std::map<std::uint32_t, const Buffer*>;
-
-/// A set of buffers bound for one kernel. The buffers must outlive it.
-class BindingSet {
-  public:
-    BindingSet(vk::raii::DescriptorPool pool, vk::raii::DescriptorSet set);
-    BindingSet(BindingSet&& other) noexcept;
-    BindingSet& operator=(BindingSet&& other) noexcept;
-    ~BindingSet();
-    [[nodiscard]] vk::DescriptorSet handle() const { return *set_; }
-
-  private:
-    vk::raii::DescriptorPool pool_;
-    vk::raii::DescriptorSet set_;
-};
 
 /// A compute pipeline made from embedded SPIR-V. Its layout follows from the module: storage buffers in set
 /// 0, one push constant block. Move-only.
@@ -42,7 +17,7 @@ class Kernel {
     ~Kernel();
 
     /// Binds buffers; extra entries are passed over, a missing one is a failed check.
-    [[nodiscard]] BindingSet bind(const Bindings& buffers) const;
+    [[nodiscard]] BindingSet bind(const Bindings& buffers) const { return interface_.bind(buffers); }
 
     /// Records a dispatch of `groups` workgroups, ordered after everything recorded or run before.
     template <typename Push>
@@ -55,12 +30,7 @@ class Kernel {
     void dispatch_bytes(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
                         std::span<const std::byte> push, std::uint32_t groups) const;
 
-    Device* device_;
-    std::string name_;
-    std::uint32_t push_bytes_;
-    std::vector<std::uint32_t> binding_numbers_;
-    vk::raii::DescriptorSetLayout set_layout_;
-    vk::raii::PipelineLayout layout_;
+    PipelineInterface interface_;
     vk::raii::Pipeline pipeline_;
 };
 

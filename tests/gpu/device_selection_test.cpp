@@ -106,7 +106,7 @@ TEST_F(DeviceSelection, PrefersTheFastestKind) {
     }
 }
 
-TEST(ComputeFamily, NeedsComputeAndTimestamps) {
+TEST(QueueFamily, HasComputeAndTimestampsAndGraphicsWhereItCan) {
     const auto family = [](vk::QueueFlags flags, std::uint32_t timestamp_bits) {
         vk::QueueFamilyProperties properties;
         properties.queueFlags = flags;
@@ -114,10 +114,12 @@ TEST(ComputeFamily, NeedsComputeAndTimestamps) {
         return properties;
     };
     using Flag = vk::QueueFlagBits;
-    EXPECT_EQ(find_compute_family({}), std::nullopt);
-    EXPECT_EQ(find_compute_family({family(Flag::eTransfer, 64)}), std::nullopt);
-    EXPECT_EQ(find_compute_family({family(Flag::eCompute, 0)}), std::nullopt);
-    EXPECT_EQ(find_compute_family({family(Flag::eGraphics, 64), family(Flag::eCompute, 36)}), 1u);
+    EXPECT_EQ(find_queue_family({}), std::nullopt);
+    EXPECT_EQ(find_queue_family({family(Flag::eTransfer, 64)}), std::nullopt);
+    EXPECT_EQ(find_queue_family({family(Flag::eCompute, 0)}), std::nullopt);
+    EXPECT_EQ(find_queue_family({family(Flag::eGraphics, 64), family(Flag::eCompute, 36)}), 1u);
+    EXPECT_EQ(find_queue_family({family(Flag::eCompute, 64), family(Flag::eCompute | Flag::eGraphics, 64)}),
+              1u);
 }
 
 }  // namespace

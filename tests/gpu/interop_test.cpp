@@ -5,6 +5,8 @@
 
 #include "interop/bvh.h"
 #include "interop/frame.h"
+#include "interop/light_cache.h"
+#include "interop/raster.h"
 #include "interop/rays.h"
 #include "interop/reflection.h"
 #include "interop/scene.h"
@@ -72,6 +74,20 @@ std::map<std::string, HostStruct> host_structs() {
           {AT(AovPixel, depth), AT(AovPixel, position), AT(AovPixel, geometric_normal),
            AT(AovPixel, shading_normal), AT(AovPixel, albedo), AT(AovPixel, texcoord), AT(AovPixel, triangle),
            AT(AovPixel, instance), AT(AovPixel, material), AT(AovPixel, specular)}}},
+        {"LightCacheTriangle",
+         {sizeof(LightCacheTriangle), {AT(LightCacheTriangle, first_point), AT(LightCacheTriangle, edge)}}},
+        {"LightCachePoint",
+         {sizeof(LightCachePoint), {AT(LightCachePoint, front), AT(LightCachePoint, back)}}},
+        {"LightCachePush",
+         {sizeof(LightCachePush),
+          {AT(LightCachePush, first_point), AT(LightCachePush, end_point), AT(LightCachePush, triangles),
+           AT(LightCachePush, sample_begin), AT(LightCachePush, sample_end), AT(LightCachePush, samples),
+           AT(LightCachePush, seed)}}},
+        {"RasterPush",
+         {sizeof(RasterPush),
+          {AT(RasterPush, camera), AT(RasterPush, jitter), AT(RasterPush, near_plane),
+           AT(RasterPush, sample_index), AT(RasterPush, seed), AT(RasterPush, pixel)}}},
+        {"AddDrawnPush", {sizeof(AddDrawnPush), {AT(AddDrawnPush, pixels), AT(AddDrawnPush, sample_index)}}},
         {"RayInfo",
          {sizeof(RayInfo),
           {AT(RayInfo, origin), AT(RayInfo, direction), AT(RayInfo, t_max), AT(RayInfo, excluded)}}},

@@ -6,6 +6,7 @@
 
 #include "interop/bindings.h"
 #include "interop/frame.h"
+#include "interop/raster.h"
 #include "interop/rays.h"
 #include "interop/specialization.h"
 
@@ -71,7 +72,10 @@ std::uint32_t invocations_per_group(std::span<const std::uint32_t> spirv) {
 TEST(Kernels, AreAllKnownToTheTests) {
     std::set<std::string> files;
     for (const auto& entry : fs::directory_iterator(kShaders / "kernels")) {
-        if (entry.path().extension() == ".comp") files.insert(entry.path().stem().string());
+        const std::string stem = entry.path().stem().string();
+        const std::string extension = entry.path().extension().string();
+        if (extension == ".comp") files.insert(stem);
+        if (extension == ".vert" || extension == ".frag") files.insert(stem + "_" + extension.substr(1));
     }
     std::set<std::string> names;
     for (const test::ProductKernel& kernel : test::product_kernels())
@@ -81,7 +85,7 @@ TEST(Kernels, AreAllKnownToTheTests) {
 
 TEST(Kernels, BindOnlyWhatInteropNumbers) {
     const std::set<std::uint32_t> numbers = declared("bindings.h", "BINDING_");
-    EXPECT_EQ(numbers.size(), 21u);
+    EXPECT_EQ(numbers.size(), 24u);
     std::set<std::uint32_t> used;
     for (const test::ProductKernel& kernel : test::product_kernels()) {
         for (const std::uint32_t binding : spirv_bindings(kernel.spirv)) {
@@ -107,7 +111,8 @@ TEST(Kernels, SpecializeOnlyWhatInteropNumbers) {
 
 TEST(Kernels, HaveTheWorkgroupsThatTheHostCountsWith) {
     for (const test::ProductKernel& kernel : test::product_kernels()) {
-        EXPECT_EQ(invocations_per_group(kernel.spirv), 64u) << kernel.name;
+        const bool is_drawn = kernel.name.ends_with("_vert") || kernel.name.ends_with("_frag");
+        EXPECT_EQ(invocations_per_group(kernel.spirv), is_drawn ? 0u : 64u) << kernel.name;
     }
     EXPECT_EQ(interop::TILE_SIZE * interop::TILE_SIZE, 64u);
     EXPECT_EQ(interop::RAYS_PER_GROUP, 64u);
@@ -116,6 +121,7 @@ TEST(Kernels, HaveTheWorkgroupsThatTheHostCountsWith) {
 TEST(Kernels, FitTheirPushConstantsIntoWhatEveryDeviceHas) {
     constexpr std::size_t kGuaranteed = 128;  // Vulkan 1.3, table "Required Limits"
     EXPECT_LE(sizeof(interop::FramePush), kGuaranteed);
+    EXPECT_LE(sizeof(interop::RasterPush), kGuaranteed);
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drawing the scene with the raster pipeline, one sample per pixel a time.
+#ifndef UTSURI_INTEROP_RASTER_H
+#define UTSURI_INTEROP_RASTER_H
+#include "interop/frame.h"
+INTEROP_BEGIN
+
+struct RasterPush {
+    CameraInfo camera;
+    vec2 jitter;       ///< where in its pixel a sample lies, in [0, 1)^2
+    float near_plane;  ///< distance along the viewing direction
+    uint sample_index;
+    uint seed;
+    vec2 pixel;  ///< size of a pixel, in pictures
+};
+
+struct AddDrawnPush {
+    uint pixels;
+    uint sample_index;
+};
+
+INTEROP_END
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adds a drawn picture to a film as one sample of each pixel.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "interop/bindings.h"
+#include "interop/raster.h"
+#include "lib/film.glsl"
+#include "lib/numeric.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(push_constant, scalar) uniform Push { AddDrawnPush push; };
+
+layout(scalar, binding = BINDING_FILM) restrict buffer Film { FilmPixel film[]; };
+layout(scalar, binding = BINDING_DRAWN) readonly restrict buffer Drawn { vec4 drawn[]; };
+layout(scalar, binding = BINDING_COUNTERS) restrict buffer CounterBuffer { Counters counters; };
+
+void main() {
+    uint pixel = gl_GlobalInvocationID.x;
+    if (pixel >= push.pixels) return;
+    vec3 radiance = drawn[pixel].rgb;
+    if (!is_finite(radiance)) {
+        atomicAdd(counters.nonfinite, 1u);
+        return;
+    }
+    FilmPixel state = film[pixel];
+    add_sample(state, push.sample_index, radiance);
+    film[pixel] = state;
+}

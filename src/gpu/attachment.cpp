@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/attachment.h"
+
+#include "base/check.h"
+#include "gpu/vulkan_call.h"
+
+#include <fmt/format.h>
+
+namespace utsuri {
+namespace {
+
+vk::raii::Image create_image(const Device& device, std::uint32_t width, std::uint32_t height,
+                             vk::Format format) {
+    using Usage = vk::ImageUsageFlagBits;
+    vk::ImageCreateInfo info;
+    info.imageType = vk::ImageType::e2D;
+    info.format = format;
+    info.extent = vk::Extent3D(width, height, 1);
+    info.mipLevels = 1;
+    info.arrayLayers = 1;
+    info.usage = format == kDepthFormat ? vk::ImageUsageFlags(Usage::eDepthStencilAttachment)
+                                        : Usage::eColorAttachment | Usage::eTransferSrc;
+    return device.handle().createImage(info);
+}
+
+DeviceMemory bind_memory(Device& device, const vk::raii::Image& image) {
+    DeviceMemory memory(device, image.getMemoryRequirements(),
+                        {vk::MemoryPropertyFlagBits::eDeviceLocal, vk::MemoryPropertyFlags{}});
+    image.bindMemory(*memory.handle(), 0);
+    return memory;
+}
+
+vk::raii::ImageView create_view(const Device& device, const vk::raii::Image& image, vk::Format format,
+                                vk::ImageAspectFlags aspect) {
+    return device.handle().createImageView(
+        {{}, *image, vk::ImageViewType::e2D, format, {}, {aspect, 0, 1, 0, 1}});
+}
+
+/// @throws DeviceError if the device has no images of this size
+std::uint32_t checked_width(const Device& device, std::uint32_t width, std::uint32_t height) {
+    const std::uint32_t limit = device.summary().image_size;
+    if (width > limit || height > limit) {
+        throw DeviceError("create image",
+                          fmt::format("of {} x {} pixels on {}", width, height, device.summary().name),
+                          fmt::format("this device draws into at most {} pixels on a side", limit));
+    }
+    return width;
+}
+
+}  // namespace
+
+Attachment::Attachment(Device& device, std::uint32_t width, std::uint32_t height, vk::Format format,
+                       std::string name)
+    : width_(checked_width(device, width, height)),
+      height_(height),
+      name_(std::move(name)),
+      aspect_(format == kDepthFormat ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor),
+      image_(vulkan_call("create image", name_, [&] { return create_image(device, width, height, format); })),
+      memory_(vulkan_call("create image", name_, [&] { return bind_memory(device, image_); })),
+      view_(
+          vulkan_call("create image", name_, [&] { return create_view(device, image_, format, aspect_); })) {
+    device.set_name(vk::ObjectType::eImage, reinterpret_cast<std::uint64_t>(static_cast<VkImage>(*image_)),
+                    name_);
+}
+
+Attachment::Attachment(Attachment&& other) noexcept = default;
+Attachment& Attachment::operator=(Attachment&& other) noexcept = default;
+Attachment::~Attachment() = default;
+
+void Attachment::copy_rows(const vk::raii::CommandBuffer& commands, std::uint32_t first_row,
+                           std::uint32_t rows, const Buffer& target) const {
+    UTSURI_CHECK_LE(std::uint64_t{width_} * rows * 16, target.size());
+    const vk::ImageMemoryBarrier2 readable(
+        vk::PipelineStageFlagBits2::eColorAttachmentOutput, vk::AccessFlagBits2::eColorAttachmentWrite,
+        vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
+        vk::ImageLayout::eAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal, VK_QUEUE_FAMILY_IGNORED,
+        VK_QUEUE_FAMILY_IGNORED, *image_, {aspect_, 0, 1, 0, 1});
+    // Whoever read the target's old contents has to be done.
+    const vk::MemoryBarrier2 writable(vk::PipelineStageFlagBits2::eAllCommands,
+                                      vk::AccessFlagBits2::eMemoryWrite, vk::PipelineStageFlagBits2::eCopy,
+                                      vk::AccessFlagBits2::eTransferWrite);
+    commands.pipelineBarrier2(vk::DependencyInfo({}, writable, {}, readable));
+    const vk::BufferImageCopy region(0, 0, 0, {aspect_, 0, 0, 1},
+                                     {0, static_cast<std::int32_t>(first_row), 0}, {width_, rows, 1});
+    commands.copyImageToBuffer(*image_, vk::ImageLayout::eTransferSrcOptimal, target.handle(), region);
+    const vk::ImageMemoryBarrier2 drawable(
+        vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
+        vk::PipelineStageFlagBits2::eColorAttachmentOutput, vk::AccessFlagBits2::eColorAttachmentWrite,
+        vk::ImageLayout::eTransferSrcOptimal, vk::ImageLayout::eAttachmentOptimal, VK_QUEUE_FAMILY_IGNORED,
+        VK_QUEUE_FAMILY_IGNORED, *image_, {aspect_, 0, 1, 0, 1});
+    commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, drawable));
+}
+
+}  // namespace utsuri

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/device.h"
+
+#include <map>
+#include <span>
+#include <string>
+
+namespace utsuri {
+
+/// Values of specialization constants by id; ids a shader does not declare are passed over.
+using Specialization = std::map<std::uint32_t, std::uint32_t>;
+
+/// Which buffer is bound at which binding number.
+using Bindings = std::map<std::uint32_t, const Buffer*>;
+
+/// A set of buffers bound for one pipeline. The buffers must outlive it.
+class BindingSet {
+  public:
+    BindingSet(vk::raii::DescriptorPool pool, vk::raii::DescriptorSet set);
+    BindingSet(BindingSet&& other) noexcept;
+    BindingSet& operator=(BindingSet&& other) noexcept;
+    ~BindingSet();
+    [[nodiscard]] vk::DescriptorSet handle() const { return *set_; }
+
+  private:
+    vk::raii::DescriptorPool pool_;
+    vk::raii::DescriptorSet set_;
+};
+
+/// One stage of a pipeline: embedded SPIR-V and what of the constants it declares.
+class ShaderStage {
+  public:
+    ShaderStage(const Device& device, vk::ShaderStageFlagBits stage, std::span<const std::uint32_t> spirv,
+                const Specialization& specialization);
+    ShaderStage(const ShaderStage&) = delete;
+    ShaderStage& operator=(const ShaderStage&) = delete;
+
+    /// Refers to this object.
+    [[nodiscard]] vk::PipelineShaderStageCreateInfo info() const;
+
+  private:
+    vk::ShaderStageFlagBits stage_;
+    vk::raii::ShaderModule module_;
+    std::vector<vk::SpecializationMapEntry> entries_;
+    std::vector<std::uint32_t> values_;
+    vk::SpecializationInfo constants_;
+};
+
+/// What a pipeline reads: storage buffers in set 0, found from its SPIR-V, and one push constant block.
+/// Move-only.
+class PipelineInterface {
+  public:
+    /// @param modules the SPIR-V of all stages
+    /// @param push_bytes size of the push constant block, 0 for none, at most 128
+    PipelineInterface(Device& device, std::string name,
+                      std::span<const std::span<const std::uint32_t>> modules, vk::ShaderStageFlags stages,
+                      std::uint32_t push_bytes);
+    PipelineInterface(PipelineInterface&& other) noexcept;
+    PipelineInterface& operator=(PipelineInterface&& other) noexcept;
+    ~PipelineInterface();
+
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] vk::PipelineLayout layout() const { return *layout_; }
+
+    /// Binds buffers; extra entries are passed over, a missing one is a failed check.
+    [[nodiscard]] BindingSet bind(const Bindings& buffers) const;
+
+    /// Records what the next dispatch or draw reads.
+    void use(const vk::raii::CommandBuffer& commands, vk::PipelineBindPoint point, const BindingSet& bindings,
+             std::span<const std::byte> push) const;
+
+  private:
+    Device* device_;
+    std::string name_;
+    vk::ShaderStageFlags stages_;
+    std::uint32_t push_bytes_;
+    std::vector<std::uint32_t> binding_numbers_;
+    vk::raii::DescriptorSetLayout set_layout_;
+    vk::raii::PipelineLayout layout_;
+};
+
+/// Gives a pipeline its debug name.
+void name_pipeline(const Device& device, const vk::raii::Pipeline& pipeline, const std::string& name);
+
+}  // namespace utsuri

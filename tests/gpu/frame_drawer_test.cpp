@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the raster pipeline draws is what rays see.
+#include "renderers/reflection_map/frame_drawer.h"
+
+#include "renderers/common/aov.h"
+#include "renderers/common/frame_camera.h"
+#include "renderers/common/light_cache.h"
+#include "renderers/reflection_map/reflection_maps.h"
+#include "support/scenes.h"
+#include "support/test_device.h"
+
+#include "interop/bindings.h"
+#include "interop/reflection.h"
+#include "interop/specialization.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace utsuri::test {
+namespace {
+
+constexpr std::uint32_t kWidth = 96;
+constexpr std::uint32_t kHeight = 64;
+
+class DrawnFrames : public DeviceTest {
+  protected:
+    /// @param samples of each call to add_samples()
+    static Image draw(const Scene& scene, const Camera& camera,
+                      std::initializer_list<std::uint32_t> samples) {
+        const SceneData data = prepare_scene_data(scene);
+        const GpuScene gpu_scene(device(), data);
+        LightCache cache(device(), data, {0.02, 4});
+        Progress progress;
+        double seconds_to_compile = 0.0;
+        cache.fill(gpu_scene, 0, seconds_to_compile, progress);
+        const ReflectionMaps maps(device(), data, MapKind::polygon, {4, 1, std::nullopt});
+        const Buffer reflections =
+            make_buffer<interop::VertexReflection>(device(), {}, "no vertex reflections");
+        Bindings bindings = gpu_scene.bindings();
+        bindings.merge(cache.bindings());
+        bindings.merge(maps.bindings());
+        bindings[interop::BINDING_VERTEX_REFLECTIONS] = &reflections;
+        Specialization specialization = gpu_scene.specialization();
+        specialization[interop::SPEC_MAP_SIZE] = 4;
+        FrameDrawer drawer(device(), data, specialization, bindings, kWidth, kHeight);
+        drawer.warm_up();
+        Film film(device(), kWidth, kHeight, "drawn film");
+        for (const std::uint32_t count : samples) {
+            const auto info = make_camera_info(camera, data.origin, kWidth, kHeight);
+            EXPECT_EQ(drawer.add_samples(film, info, 7, count, progress).nonfinite, 0u);
+        }
+        return film.resolve();
+    }
+
+    static Image traced(const Scene& scene, const Camera& camera, std::uint32_t samples) {
+        RenderSettings settings;
+        settings.width = kWidth;
+        settings.height = kHeight;
+        return trace(device(), scene, camera, settings, samples).image;
+    }
+};
+
+/// Balls and walls that emit light of their own, each surface another.
+Scene coloured_room() {
+    Scene scene;
+    add(scene, room({-2, -1, -2}, {2, 1, 2}), emitter({0.2f, 0.4f, 0.8f}));
+    add(scene, icosphere({0.3f, -0.2f, 0.4f}, 0.5f, 2), emitter({1.0f, 0.0f, 0.0f}));
+    add(scene, icosphere({-0.9f, 0.1f, -0.5f}, 0.4f, 2), emitter({0.0f, 1.0f, 0.0f}));
+    add(scene, quad({-0.5f, -0.9f, 1.0f}, {0.8f, 0, 0}, {0, 0.5f, 0.1f}), emitter({0.0f, 0.0f, 2.0f}));
+    return scene;
+}
+
+// Emission alone is drawn exactly; pixels differ where an edge passes between the two places of their sample.
+// An edge crosses about as many pixels as the picture is wide, and a sample each moves by less than a pixel.
+TEST_F(DrawnFrames, ShowWhatRaysHit) {
+    const Scene scene = coloured_room();
+    const Camera camera = look_at({1.5, 0.5, 1.7}, {0, 0, 0}, 1.2);
+    const Image drawn = draw(scene, camera, {64});
+    const Image reference = traced(scene, camera, 64);
+    int differ = 0;
+    double drawn_sum = 0.0;
+    double reference_sum = 0.0;
+    for (std::size_t i = 0; i < drawn.pixels.size(); ++i) {
+        const glm::vec3 difference = glm::abs(drawn.pixels[i] - reference.pixels[i]);
+        if (std::max({difference.x, difference.y, difference.z}) > 1e-5f) ++differ;
+        drawn_sum += static_cast<double>(drawn.pixels[i].x + drawn.pixels[i].y);
+        reference_sum += static_cast<double>(reference.pixels[i].x + reference.pixels[i].y);
+    }
+    EXPECT_LE(differ, 8 * static_cast<int>(kWidth + kHeight));
+    EXPECT_NEAR(drawn_sum / reference_sum, 1.0, 2e-3);
+}
+
+// A sun on a floor is kept exactly, so away from edges drawing and tracing agree to rounding.
+TEST_F(DrawnFrames, AreLitAsByRays) {
+    Scene scene;
+    add(scene, quad({-50, 0, 50}, {100, 0, 0}, {0, 0, -100}), lambert({0.5f, 0.25f, 0.75f}));
+    Light sun;
+    sun.type = LightType::directional;
+    sun.direction = {0.6, -0.8, 0.0};
+    sun.intensity = glm::vec3(10.0f);
+    scene.lights.push_back(sun);
+    const Camera camera = look_at({0, 3, 1}, {0, 0, 0}, 0.7);
+    const Image drawn = draw(scene, camera, {4});
+    for (const glm::vec3& pixel : drawn.pixels) {
+        for (int c = 0; c < 3; ++c) {
+            const double albedo = c == 0 ? 0.5 : (c == 1 ? 0.25 : 0.75);
+            const double expected = albedo * 10.0 * 0.8 / std::numbers::pi;
+            // Some 20 roundings of float32.
+            EXPECT_NEAR(static_cast<double>(pixel[c]), expected, 2e-6 * expected);
+        }
+    }
+}
+
+TEST_F(DrawnFrames, AreTheSameForAnySplitOfTheSamples) {
+    const Scene scene = coloured_room();
+    const Camera camera = look_at({1.5, 0.5, 1.7}, {0, 0, 0}, 1.2);
+    const Image at_once = draw(scene, camera, {7});
+    const Image split = draw(scene, camera, {1, 4, 2});
+    EXPECT_EQ(at_once.pixels, split.pixels);
+}
+
+TEST_F(DrawnFrames, AreTheSameAtAnyScale) {
+    const Scene scene = coloured_room();
+    const Camera camera = look_at({1.5, 0.5, 1.7}, {0, 0, 0}, 1.2);
+    const Image image = draw(scene, camera, {3});
+    for (const int k : {-20, -7, 20}) {
+        const double factor = std::ldexp(1.0, k);
+        Camera moved = camera;
+        moved.position *= factor;
+        EXPECT_EQ(draw(scaled(scene, factor), moved, {3}).pixels, image.pixels) << k;
+    }
+}
+
+TEST_F(DrawnFrames, ShowTheSurroundingsWhereNothingIs) {
+    Scene scene;
+    add(scene, quad({-1, -5, 0}, {2, 0, 0}, {0, 1, 0}), lambert(glm::vec3(0.5f)));
+    scene.environment = {3.0f, 2.0f, 1.0f};
+    const Image drawn = draw(scene, look_at({0, 3, 4}, {0, 5, 0}), {2});
+    for (const glm::vec3& pixel : drawn.pixels)
+        EXPECT_EQ(pixel, scene.environment);
+}
+
+}  // namespace
+}  // namespace utsuri::test
