@@ -114,7 +114,7 @@ void ImageFile::check_size() const {
     }
 }
 
-void ImageFile::read(int begin, int end, OIIO::TypeDesc type, void* out, std::size_t pixel_bytes) {
+void ImageFile::read(int begin, int end, const OIIO::TypeDesc& type, void* out, std::size_t pixel_bytes) {
     if (!input_->read_image(0, 0, begin, end, type, out, static_cast<OIIO::stride_t>(pixel_bytes))) {
         fail(fmt::format("damaged or cut short ({})", one_line(input_->geterror())));
     }

@@ -33,7 +33,7 @@ class ImageFile {
 
     /// Reads channels [begin, end) of the whole picture as `type`; successive pixels lie `pixel_bytes` apart.
     /// @throws InputError
-    void read(int begin, int end, OIIO::TypeDesc type, void* out, std::size_t pixel_bytes);
+    void read(int begin, int end, const OIIO::TypeDesc& type, void* out, std::size_t pixel_bytes);
 
     [[noreturn]] void fail(std::string_view problem) const;
 

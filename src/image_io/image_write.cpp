@@ -21,8 +21,8 @@ namespace {
 /// The largest finite half is 65504; from 65520 on, rounding to nearest gives infinity.
 constexpr float kHalfOverflow = 65520.0f;
 
-std::vector<std::byte> encode(const std::string& format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                              const void* pixels) {
+std::vector<std::byte> encode(const std::string& format, const OIIO::ImageSpec& spec,
+                              const OIIO::TypeDesc& type, const void* pixels) {
     prepare_image_library();
     std::vector<unsigned char> buffer;
     OIIO::Filesystem::IOVecOutput sink(buffer);

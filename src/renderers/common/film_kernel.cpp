@@ -37,7 +37,7 @@ std::uint32_t tile_count(std::uint32_t width, std::uint32_t rows) {
     return tiles(width) * tiles(rows);
 }
 
-FilmKernel::FilmKernel(Device& device, std::string name, std::span<const std::uint32_t> spirv,
+FilmKernel::FilmKernel(Device& device, const std::string& name, std::span<const std::uint32_t> spirv,
                        const Specialization& specialization, Bindings bindings)
     : device_(&device),
       kernel_(device, name, spirv, specialization, sizeof(interop::FramePush)),

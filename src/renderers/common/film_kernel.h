@@ -34,7 +34,7 @@ struct FrameSettings {
 /// is cut never changes the picture.
 class FilmKernel {
   public:
-    FilmKernel(Device& device, std::string name, std::span<const std::uint32_t> spirv,
+    FilmKernel(Device& device, const std::string& name, std::span<const std::uint32_t> spirv,
                const Specialization& specialization, Bindings bindings);
     FilmKernel(const FilmKernel&) = delete;
     FilmKernel& operator=(const FilmKernel&) = delete;

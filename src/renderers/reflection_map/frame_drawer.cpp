@@ -43,7 +43,7 @@ std::uint32_t rows_of_bands(const Device& device, std::uint32_t width, std::uint
 }  // namespace
 
 FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
-                         Bindings bindings, std::uint32_t width, std::uint32_t height)
+                         const Bindings& bindings, std::uint32_t width, std::uint32_t height)
     : device_(checked(device)),
       triangles_(static_cast<std::uint32_t>(data.bvh.triangles.size())),
       near_plane_(static_cast<float>(kNearShare * glm::length(glm::dvec3(data.bounds.extent())))),

@@ -21,7 +21,7 @@ class FrameDrawer {
     /// @param bindings of scene, light cache and maps
     /// @throws DeviceError if the device cannot draw pictures of this size
     FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
-                Bindings bindings, std::uint32_t width, std::uint32_t height);
+                const Bindings& bindings, std::uint32_t width, std::uint32_t height);
 
     /// Makes the driver compile what add_samples() needs.
     void warm_up();
