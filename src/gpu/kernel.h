@@ -5,6 +5,9 @@
 
 namespace utsuri {
 
+/// Every Vulkan device takes this many workgroups in a dispatch.
+inline constexpr std::uint32_t kMaxGroups = 65535;
+
 /// A compute pipeline made from embedded SPIR-V. Its layout follows from the module: storage buffers in set
 /// 0, one push constant block. Move-only.
 class Kernel {

@@ -4,6 +4,7 @@
 #include "gpu/attachment.h"
 #include "gpu/pipeline_interface.h"
 
+#include <array>
 #include <functional>
 
 namespace utsuri {

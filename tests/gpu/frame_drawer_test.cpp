@@ -9,6 +9,8 @@
 #include "support/scenes.h"
 #include "support/test_device.h"
 
+#include "base/sampler.h"
+
 #include "interop/bindings.h"
 #include "interop/reflection.h"
 #include "interop/specialization.h"
@@ -23,6 +25,8 @@ namespace {
 
 constexpr std::uint32_t kWidth = 96;
 constexpr std::uint32_t kHeight = 64;
+constexpr std::uint32_t kSeed = 7;
+constexpr double kSpacing = 0.02;  ///< of the light cache
 
 class DrawnFrames : public DeviceTest {
   protected:
@@ -31,7 +35,7 @@ class DrawnFrames : public DeviceTest {
                       std::initializer_list<std::uint32_t> samples) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        LightCache cache(device(), data, {0.02, 4});
+        LightCache cache(device(), data, {kSpacing, 4});
         Progress progress;
         double seconds_to_compile = 0.0;
         cache.fill(gpu_scene, 0, seconds_to_compile, progress);
@@ -49,7 +53,7 @@ class DrawnFrames : public DeviceTest {
         Film film(device(), kWidth, kHeight, "drawn film");
         for (const std::uint32_t count : samples) {
             const auto info = make_camera_info(camera, data.origin, kWidth, kHeight);
-            EXPECT_EQ(drawer.add_samples(film, info, 7, count, progress).nonfinite, 0u);
+            EXPECT_EQ(drawer.add_samples(film, info, kSeed, count, progress).nonfinite, 0u);
         }
         return film.resolve();
     }
@@ -109,6 +113,44 @@ TEST_F(DrawnFrames, AreLitAsByRays) {
             const double expected = albedo * 10.0 * 0.8 / std::numbers::pi;
             // Some 20 roundings of float32.
             EXPECT_NEAR(static_cast<double>(pixel[c]), expected, 2e-6 * expected);
+        }
+    }
+}
+
+// A lamp over a floor: between the points of the cache light is interpolated linearly. With second
+// derivatives of at most M = 3 I / h^4 (straight below the lamp) that errs by at most M L^2 / 6 on a cell of
+// longest edge L, whose smallest enclosing circle has a radius of at most L / sqrt(3).
+TEST_F(DrawnFrames, InterpolateLightLinearly) {
+    constexpr double kLampHeight = 3.0;
+    constexpr double kIntensity = 40.0;
+    Scene scene;
+    add(scene, quad({-4, 0, 4}, {8, 0, 0}, {0, 0, -8}), lambert(glm::vec3(1.0f)));
+    Light lamp;
+    lamp.type = LightType::point;
+    lamp.position = {0.4, kLampHeight, -0.3};
+    lamp.intensity = glm::vec3(static_cast<float>(kIntensity));
+    scene.lights.push_back(lamp);
+    const Camera camera = look_at({1, 4, 2}, {0, 0, 0}, 0.6);
+    const Image drawn = draw(scene, camera, {1});
+    const double cell = kSpacing * 8.0 * std::sqrt(2.0);
+    const double bound = 3.0 * kIntensity / std::pow(kLampHeight, 4.0) * cell * cell / 6.0 / std::numbers::pi;
+    const glm::dvec2 jitter = sample_2d(sampler_key({0, 0}, kSeed, 0), 0, 0);
+    const double half_height = std::tan(0.5 * camera.vertical_fov);
+    const double half_width = half_height * kWidth / kHeight;
+    for (std::uint32_t y = 0; y < kHeight; ++y) {
+        for (std::uint32_t x = 0; x < kWidth; ++x) {
+            const double right = half_width * (2.0 * (x + jitter.x) / kWidth - 1.0);
+            const double up = half_height * (1.0 - 2.0 * (y + jitter.y) / kHeight);
+            const glm::dvec3 along = camera.forward + right * camera.right + up * camera.up;
+            const glm::dvec3 point = camera.position - camera.position.y / along.y * along;
+            const double distance = glm::distance(point, lamp.position);
+            const double expected =
+                kIntensity * kLampHeight / (distance * distance * distance) / std::numbers::pi;
+            // Corners are placed to 1/256 of a pixel; light changes by at most a third of itself over a
+            // metre, and a pixel shows less than a tenth of one.
+            ASSERT_NEAR(static_cast<double>(drawn.at(x, y).x), expected,
+                        bound + expected * 0.1 / 3.0 / 256.0 + 1e-5)
+                << x << ' ' << y;
         }
     }
 }

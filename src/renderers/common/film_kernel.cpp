@@ -13,9 +13,6 @@
 namespace utsuri {
 namespace {
 
-/// Every Vulkan device takes this many workgroups in a dispatch.
-constexpr std::uint32_t kMaxGroups = 65535;
-
 /// Ray queries that one invocation may make in a dispatch. Mesa's software driver ends all loops of an
 /// invocation after 65535 iterations together; a query takes some tens, 128 at most in scenes of a million
 /// triangles.

@@ -21,8 +21,7 @@ namespace {
 /// Intervals along an edge, at most: their points are numbered within 32 bits.
 constexpr double kMostIntervals = 32768.0;
 constexpr std::uint32_t kGroupSize = 64;
-/// Every Vulkan device takes this many workgroups in a dispatch.
-constexpr std::uint64_t kMostPointsPerDispatch = 65535ull * kGroupSize;
+constexpr std::uint64_t kMostPointsPerDispatch = std::uint64_t{kMaxGroups} * kGroupSize;
 /// A sample takes one shadow ray on each side; see kQueriesPerInvocation in film_kernel.cpp for the bound.
 constexpr std::uint32_t kMostSamplesPerDispatch = 256;
 

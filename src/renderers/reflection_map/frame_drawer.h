@@ -11,6 +11,8 @@
 
 #include "interop/raster.h"
 
+#include <array>
+
 namespace utsuri {
 
 /// Draws one view of a scene with the raster pipeline and adds the pictures to a film, a sample of each pixel
