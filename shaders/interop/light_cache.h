@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light kept at the points of a lattice over each triangle ("mesh colors": Yuksel, Keyser and House 2010).
-// With `edge` intervals along every edge, point (i, j), i + j <= edge, has the barycentric coordinates b1 = i
-// / edge, b2 = j / edge.
+// Light kept at points in rows over each triangle (after the mesh colors of Yuksel, Keyser and House 2010,
+// whose lattices are as fine along the short edges of a triangle as along its long ones). Rows run along the
+// shortest edge, the base, from that edge to the apex, the corner opposite to it. The base's row has
+// `intervals` intervals; each `rows_per_interval` rows later there is one less, until the apex is a row of
+// one point.
 #ifndef UTSURI_INTEROP_LIGHT_CACHE_H
 #define UTSURI_INTEROP_LIGHT_CACHE_H
 #include "interop/prelude.h"
@@ -10,7 +12,9 @@ INTEROP_BEGIN
 /// Indexed like BvhTriangle.
 struct LightCacheTriangle {
     uint first_point;
-    uint edge;  ///< intervals; 0 where the triangle keeps no light
+    uint intervals;          ///< of the base; 0 where the triangle keeps no light
+    uint rows_per_interval;  ///< at least 1
+    uint apex;               ///< 0, 1 or 2; the base goes from the corner after it to the one before it
 };
 
 /// What a white diffuse surface would send out at a point, in cd/m2: irradiance over pi.
@@ -22,10 +26,8 @@ struct LightCachePoint {
 struct LightCachePush {
     uint first_point;  ///< of this dispatch
     uint end_point;
-    uint triangles;     ///< of the scene
-    uint sample_begin;  ///< samples of this dispatch: [begin, end)
-    uint sample_end;
-    uint samples;  ///< of each point, in all; the dispatch that takes the last one divides by it
+    uint triangles;  ///< of the scene
+    uint samples;    ///< of each point and side, at most
     uint seed;
 };
 

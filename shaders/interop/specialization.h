@@ -17,8 +17,11 @@ INTEROP_CONSTANT SPEC_EXCLUDES_INSTANCE = 8u;  ///< FramePush::excluded_instance
 INTEROP_CONSTANT SPEC_MAP_SIZE = 9u;           ///< texels along an edge of a map, border not counted
 INTEROP_CONSTANT SPEC_ANY_HIT = 10u;           ///< the ray list kernel asks whether, not where
 INTEROP_CONSTANT SPEC_LIGHT_COUNT = 11u;
-INTEROP_CONSTANT SPEC_MAP_KIND = 12u;  ///< MAP_KIND_ of interop/reflection.h
-INTEROP_CONSTANT SPEC_COUNT = 13u;
+INTEROP_CONSTANT SPEC_MAP_KIND = 12u;     ///< MAP_KIND_ of interop/reflection.h
+INTEROP_CONSTANT SPEC_SUMS_LIGHTS = 13u;  ///< unshadowed light is summed over all lights in closed form
+INTEROP_CONSTANT SPEC_FACE_COUNT = 14u;   ///< of the polyhedron of maps, at most MAP_MOST_FACES
+INTEROP_CONSTANT SPEC_WRITES = 15u;       ///< the second run of a kernel that first counts what it will write
+INTEROP_CONSTANT SPEC_COUNT = 16u;
 
 INTEROP_END
 #endif

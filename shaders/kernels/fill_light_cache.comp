@@ -7,8 +7,11 @@
 #include "interop/light_cache.h"
 #include "lib/direct_light.glsl"
 #include "lib/lattice.glsl"
+#include "lib/unshadowed_light.glsl"
 
 layout(local_size_x = 64) in;
+
+layout(constant_id = SPEC_SUMS_LIGHTS) const bool SUMS_LIGHTS = false;
 
 layout(push_constant, scalar) uniform Push { LightCachePush push; };
 
@@ -16,7 +19,7 @@ layout(scalar, binding = BINDING_LIGHT_CACHE_TRIANGLES) readonly restrict buffer
     LightCacheTriangle cache_triangles[];
 };
 layout(scalar, binding = BINDING_COUNTERS) restrict buffer CounterBuffer { Counters counters; };
-layout(scalar, binding = BINDING_LIGHT_CACHE_POINTS) restrict buffer CachePoints { LightCachePoint cache_points[]; };
+layout(scalar, binding = BINDING_LIGHT_CACHE_POINTS) writeonly restrict buffer CachePoints { LightCachePoint cache_points[]; };
 
 /// The triangle whose lattice holds a point: the last that begins at or before it.
 uint triangle_of(uint point) {
@@ -46,16 +49,45 @@ Surface white_surface(uint triangle, vec2 b, bool front) {
     return surface;
 }
 
-vec3 add_samples(vec3 sum, uint point, Surface surface, uint side) {
-    uint key = sampler_key(uvec2(point, side), push.seed, 0u);
+/// Shadow rays after which a point in no shadow so far counts as lit for good. Points in full shadow get all: a little
+/// light missed there shows, a little shadow missed in full light does not.
+const uint FIRST_LOOK = 16u;
+
+/// What a white surface sends out. Where the lights can be summed in closed form, samples only tell what share of that
+/// is not in shadow (Heitz, Hill and McGuire 2018): no noise where nothing or all is in shadow.
+vec3 simulate_light(Surface surface, uint side) {
+    if (LIGHT_COUNT == 0u) return vec3(0.0);
+    vec3 unshadowed = vec3(0.0);
+    if (SUMS_LIGHTS) {
+        unshadowed = unshadowed_irradiance(surface) / PI;
+        if (unshadowed == vec3(0.0)) return unshadowed;
+    }
+    // All points share their samples: what error these leave then changes smoothly over a surface, where samples of their
+    // own would leave blotches.
+    uint key = sampler_key(uvec2(0u, side), push.seed, 0u);
+    vec3 sampled = vec3(0.0);
+    vec3 visible = vec3(0.0);
     uint rays = 0u;
-    uint s = push.sample_begin;
-    for (; s < push.sample_end; ++s) {
-        sum += direct_light(surface, surface.ns, key, s, 0u, NONE, rays);
+    uint lit = 0u;
+    uint s = 0u;
+    uint samples = push.samples;
+    for (; s < samples; ++s) {
+        if (SUMS_LIGHTS && s == FIRST_LOOK && lit == rays) {
+            samples = s;
+            break;
+        }
+        Candidate taken = resample_lights(surface, surface.ns, sample_2d(key, s, 0u), sample_2d(key, s, 1u));
+        if (taken.value == vec3(0.0)) continue;
+        sampled += taken.value;
+        ++rays;
+        if (!is_light_visible(surface, taken.light, NONE)) continue;
+        visible += taken.value;
+        ++lit;
     }
     atomicAdd(counters.rays, rays);
-    if (s < push.sample_end) atomicAdd(counters.incomplete, 1u);
-    return push.sample_end == push.samples ? sum / float(push.samples) : sum;
+    if (s < samples) atomicAdd(counters.incomplete, 1u);
+    if (!SUMS_LIGHTS) return visible / float(s);
+    return mix(unshadowed * visible / sampled, vec3(0.0), equal(sampled, vec3(0.0)));
 }
 
 void main() {
@@ -63,9 +95,7 @@ void main() {
     if (point >= push.end_point) return;
     uint triangle = triangle_of(point);
     LightCacheTriangle lattice = cache_triangles[triangle];
-    vec2 b = vec2(lattice_point(lattice.edge, point - lattice.first_point)) / float(lattice.edge);
-    LightCachePoint sums = cache_points[point];
-    sums.front = add_samples(sums.front, point, white_surface(triangle, b, true), 0u);
-    sums.back = add_samples(sums.back, point, white_surface(triangle, b, false), 1u);
-    cache_points[point] = sums;
+    vec2 b = lattice_point(lattice, point - lattice.first_point).yz;
+    cache_points[point] = LightCachePoint(simulate_light(white_surface(triangle, b, true), 0u),
+                                          simulate_light(white_surface(triangle, b, false), 1u));
 }

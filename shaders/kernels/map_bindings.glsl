@@ -4,14 +4,7 @@
 
 layout(constant_id = SPEC_MAP_SIZE) const uint MAP_SIZE = 256u;
 
-layout(scalar, binding = BINDING_INSTANCE_REFLECTORS) readonly restrict buffer InstanceReflectors {
-    uint instance_reflectors[];
-};
 layout(scalar, binding = BINDING_REFLECTORS) readonly restrict buffer Reflectors { ReflectorInfo reflectors[]; };
-layout(scalar, binding = BINDING_VERTEX_SLOTS) readonly restrict buffer VertexSlots { uint vertex_slots[]; };
-layout(scalar, binding = BINDING_VERTEX_REFLECTIONS) readonly restrict buffer VertexReflections {
-    VertexReflection vertex_reflections[];
-};
 layout(scalar, binding = BINDING_MAP_TEXELS) readonly restrict buffer MapTexels { vec3 map_texels[]; };
 
 /// Bilinear value of a map at picture coordinates in [-1, 1]^2; the border makes all four texels its own.

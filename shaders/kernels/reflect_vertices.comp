@@ -5,7 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/bindings.h"
 #include "interop/reflection.h"
-#include "lib/cube_map.glsl"
+#include "lib/numeric.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -31,5 +31,5 @@ void main() {
     ReflectorVertex vertex = reflector_vertices[index];
     // Not normalised: on a plane this is affine in the position, so that interpolating it is exact.
     vec3 reflected = reflect(vertex.position - push.eye, vertex.normal);
-    vertex_reflections[index] = VertexReflection(reflected, cube_face(reflected), sphere_map_coordinate(reflected));
+    vertex_reflections[index] = VertexReflection(reflected, sphere_map_coordinate(reflected));
 }

@@ -17,6 +17,11 @@ vec3 specular_reflectance(Surface surface, float cosine) {
     return mix(vec3(dielectric_fresnel(surface, cosine)), metal, surface.metallic);
 }
 
+/// Share of the light that arrives which leaves diffusely towards a viewer at this cosine, where nothing is glossy.
+vec3 diffuse_reflectance(Surface surface, float cos_o) {
+    return surface.base_colour * ((1.0 - surface.metallic) * (1.0 - dielectric_fresnel(surface, cos_o)));
+}
+
 bool has_specular_lobe(Surface surface) {
     return surface.metallic > 0.0 || surface.f0 > 0.0 || surface.f90 > 0.0;
 }
@@ -33,11 +38,9 @@ bool is_specular(Surface surface) {
 vec3 evaluate_bsdf(Surface surface, vec3 wo, vec3 wi) {
     float cos_i = dot(surface.ns, wi);
     if (!(cos_i > 0.0) || !(dot(surface.ng, wi) > 0.0)) return vec3(0.0);
-    vec3 lambert = surface.base_colour * ((1.0 - surface.metallic) / PI);
     float cos_o = abs(dot(surface.ns, wo));
-    if (!HAS_GLOSSY || !is_glossy(surface)) {
-        return lambert * (1.0 - dielectric_fresnel(surface, cos_o));
-    }
+    if (!HAS_GLOSSY || !is_glossy(surface)) return diffuse_reflectance(surface, cos_o) / PI;
+    vec3 lambert = surface.base_colour * ((1.0 - surface.metallic) / PI);
     vec3 h = normalize(wo + wi);
     float cos_h = abs(dot(wo, h));
     float lobe = ggx_distribution(surface.ns, h, surface.alpha) * smith_visibility(cos_o, cos_i, surface.alpha);

@@ -39,7 +39,8 @@ Candidate make_candidate(Surface surface, vec3 wo, float choice, vec2 u) {
 
 /// Resampled importance sampling (Talbot, Cline and Egbert 2005): of a few candidates, stratified over the light table,
 /// one is taken by its unshadowed value, so that near and facing lights are not left to chance.
-vec3 light_by_light_sample(Surface surface, vec3 wo, vec2 choice, vec2 u, uint excluded_instance, inout uint rays) {
+/// @returns with a value that is divided by the chance of this one; zero if no candidate brings anything
+Candidate resample_lights(Surface surface, vec3 wo, vec2 choice, vec2 u) {
     uint count = min(LIGHT_COUNT, MOST_CANDIDATES);
     Candidate taken = Candidate(LightSample(vec3(0.0), vec3(0.0), false, vec3(0.0), 0.0, NONE), vec3(0.0));
     float taken_weight = 0.0;
@@ -61,10 +62,16 @@ vec3 light_by_light_sample(Surface surface, vec3 wo, vec2 choice, vec2 u, uint e
             remaining = (remaining - probability) / (1.0 - probability);
         }
     }
-    if (taken_weight == 0.0) return vec3(0.0);
+    if (taken_weight == 0.0) return taken;
+    taken.value *= sum / (taken_weight * float(count));
+    return taken;
+}
+
+vec3 light_by_light_sample(Surface surface, vec3 wo, vec2 choice, vec2 u, uint excluded_instance, inout uint rays) {
+    Candidate taken = resample_lights(surface, wo, choice, u);
+    if (taken.value == vec3(0.0)) return vec3(0.0);
     rays += 1u;
-    if (!is_light_visible(surface, taken.light, excluded_instance)) return vec3(0.0);
-    return taken.value * (sum / (taken_weight * float(count)));
+    return is_light_visible(surface, taken.light, excluded_instance) ? taken.value : vec3(0.0);
 }
 
 vec3 light_by_glossy_sample(Surface surface, vec3 wo, vec2 u, uint excluded_instance, inout uint rays) {

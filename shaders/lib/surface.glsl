@@ -93,6 +93,22 @@ void evaluate_material(inout Surface surface, MaterialInfo material, bool front)
     surface.emission = emitted_radiance(material, surface.texcoord, front);
 }
 
+/// Normals and material of a surface whose place is known.
+/// @param ng unit geometric normal of the front
+/// @param ns interpolated shading normal of the front, any length
+/// @param direction from the viewer, any length
+void shade_surface(inout Surface surface, vec3 ng, vec3 ns, MaterialInfo material, vec3 direction) {
+    bool front = dot(ng, direction) < 0.0;
+    ns = normalize_any_scale(ns);
+    // Vertex normals that cancel or point through the surface are no use: the geometric normal stands in.
+    if (!(dot(ns, ng) > 0.0)) ns = ng;
+    surface.ng = front ? ng : -ng;
+    surface.ns = front ? ns : -ns;
+    evaluate_material(surface, material, front);
+    // A rough lobe is defined for viewers above the shading normal's horizon; a mirror copes (mirror_direction()).
+    if (surface.alpha > 0.0 && dot(surface.ns, direction) >= 0.0) surface.ns = surface.ng;
+}
+
 /// @param direction of the ray that hit
 Surface make_surface(Hit hit, vec3 direction) {
     BvhTriangle vertices = bvh_triangles[hit.triangle];
@@ -104,18 +120,9 @@ Surface make_surface(Hit hit, vec3 direction) {
     surface.triangle = hit.triangle;
     surface.material = info.material;
     surface.instance = info.instance;
-
-    vec3 ng = normalize_any_scale(triangle_cross(vertices));
-    bool front = dot(ng, direction) < 0.0;
-    vec3 ns = normalize_any_scale(interpolated_normal(info.vertices, hit.b1, hit.b2));
-    // Vertex normals that cancel or point through the surface are no use: the geometric normal stands in.
-    if (!(dot(ns, ng) > 0.0)) ns = ng;
-    surface.ng = front ? ng : -ng;
-    surface.ns = front ? ns : -ns;
     surface.texcoord = HAS_TEXTURES ? interpolated_texcoord(info.vertices, hit.b1, hit.b2) : vec2(0.0);
-    evaluate_material(surface, materials[info.material], front);
-    // A rough lobe is defined for viewers above the shading normal's horizon; a mirror copes (mirror_direction()).
-    if (surface.alpha > 0.0 && dot(surface.ns, direction) >= 0.0) surface.ns = surface.ng;
+    shade_surface(surface, normalize_any_scale(triangle_cross(vertices)),
+                  interpolated_normal(info.vertices, hit.b1, hit.b2), materials[info.material], direction);
     return surface;
 }
 

@@ -15,10 +15,14 @@ int wrap_texel(int i, int size, uint mode) {
     return i - size * int(floor(float(i) / float(size)));
 }
 
+/// IEC 61966-2-1. The power 2.4 of u is u^2 (u^(1/4))^1.6, the latter by a polynomial with a relative error of 3e-7 over
+/// the range that u can have here (Remez exchange): closer than pow() need be, and several times as fast on CPUs.
 vec3 srgb_to_linear(vec3 c) {
     vec3 low = c / 12.92;
-    vec3 high = pow((c + 0.055) / 1.055, vec3(2.4));
-    return mix(high, low, lessThanEqual(c, vec3(0.04045)));
+    vec3 u = (c + 0.055) / 1.055;
+    vec3 v = sqrt(sqrt(u));
+    vec3 p = ((((-0.0271936059 * v + 0.148197562) * v - 0.387461305) * v + 1.02485371) * v + 0.25584504) * v - 0.0142413614;
+    return mix(u * u * p, low, lessThanEqual(c, vec3(0.04045)));
 }
 
 vec3 fetch_texel(TextureHeader header, ivec2 position, uint sampling, bool srgb) {

@@ -74,7 +74,10 @@ ExitCode compare(const CompareOptions& options, const std::string& command_line)
     progress.begin("building the BVH");
     const SceneData data = prepare_scene_data(loaded.scene);
     const GpuScene scene(session.device(), data);
-    Comparison comparison = run_comparison({session.device(), data, scene, camera}, settings, progress);
+    FilledLight light;
+    light.settings = options.picture.light_settings();
+    Comparison comparison =
+        run_comparison({session.device(), data, scene, camera, light}, settings, progress);
     comparison.scene = options.scene;
     comparison.command = command_line;
     comparison.import_seconds = loaded.import_seconds;
@@ -109,7 +112,7 @@ void add_compare_command(CLI::App& app, const std::string& command_line, Action&
     command->add_option("--light", options->light, "Light at diffuse surfaces: direct")
         ->capture_default_str();
     command->add_option("--methods", options->methods,
-                        "Reflections to compare, separated by commas [trace,polygon-map,sphere-map]");
+                        "Reflections to compare, separated by commas [all of them]");
     command->add_option("--spp", options->samples, "Samples per pixel of each method")
         ->check(CLI::Range(1u, 1u << 24))
         ->capture_default_str();

@@ -4,10 +4,12 @@
 #include "cli/session.h"
 #include "compare/comparison_table.h"
 #include "renderers/common/film.h"
+#include "renderers/common/light_cache.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <limits>
 #include <memory>
 
 namespace utsuri {
@@ -23,6 +25,8 @@ struct InfoOptions {
 struct Prediction {
     std::uint64_t scene = 0;
     std::uint64_t film = 0;
+    std::uint64_t light = 0;         ///< kept on surfaces, for methods that draw
+    std::uint64_t drawing = 0;       ///< the pictures that are drawn into
     std::uint64_t polygon_maps = 0;  ///< with their film
 };
 
@@ -30,11 +34,18 @@ Prediction predict(const SceneData& data, const RenderSettings& settings, const 
     Prediction prediction;
     prediction.scene = data.device_bytes();
     prediction.film = Film::bytes(settings.width, settings.height);
+    const auto lattices =
+        plan_light_cache(data, LightCacheSettings().spacing, std::numeric_limits<std::uint64_t>::max());
+    prediction.light = light_cache_points(lattices) * sizeof(interop::LightCachePoint) +
+                       lattices.size() * sizeof(interop::LightCacheTriangle);
+    // Colour, depth, and the colour again where the film reads it.
+    prediction.drawing = std::uint64_t{settings.width} * settings.height * (16 + 4 + 16);
     const std::uint64_t stride = std::uint64_t{maps.size} + std::uint64_t{2} * interop::MAP_BORDER;
     const std::uint64_t reflectors = data.requirements.reflective_instances.size();
     if (reflectors > 0) {
-        prediction.polygon_maps = reflectors * interop::CUBE_FACES * stride * stride * sizeof(glm::vec3) +
-                                  Film::bytes(maps.size + 2, maps.size + 2);
+        prediction.polygon_maps =
+            reflectors * maps.polyhedron.planes.size() * stride * stride * sizeof(glm::vec3) +
+            Film::bytes(maps.size + 2, maps.size + 2);
     }
     return prediction;
 }
@@ -83,6 +94,8 @@ std::string describe(const InfoOptions& options, const LoadedScene& loaded, cons
         fmt::format("memory predicted at {}, maps of {}\n", options.picture.size, options.picture.map_size);
     row("scene", format_bytes(memory.scene));
     row("film", format_bytes(memory.film));
+    row("light on surfaces", format_bytes(memory.light));
+    row("drawing", format_bytes(memory.drawing));
     row("polygon maps", format_bytes(memory.polygon_maps));
     if (!loaded.notes.empty()) text += "notes\n";
     for (const std::string& note : loaded.notes)
@@ -122,7 +135,11 @@ nlohmann::ordered_json to_json(const InfoOptions& options, const LoadedScene& lo
                                      ? nlohmann::ordered_json(nullptr)
                                      : nlohmann::ordered_json(needs.specular_depth)}}},
             {"predicted_bytes",
-             {{"scene", memory.scene}, {"film", memory.film}, {"polygon_maps", memory.polygon_maps}}},
+             {{"scene", memory.scene},
+              {"film", memory.film},
+              {"light", memory.light},
+              {"drawing", memory.drawing},
+              {"polygon_maps", memory.polygon_maps}}},
             {"notes", loaded.notes}};
 }
 
@@ -150,6 +167,11 @@ void add_info_command(CLI::App& app, Action& action) {
         ->add_option("--map-size", options->picture.map_size,
                      "Texels along an edge of a map, for the memory prediction")
         ->check(CLI::Range(1u, 4096u))
+        ->capture_default_str();
+    command
+        ->add_option("--polyhedron", options->picture.polyhedron,
+                     "Polyhedron of polygon maps, for the memory prediction: see utsuri render --help")
+        ->type_name("NAME|FILE")
         ->capture_default_str();
     add_common_options(*command, options->common);
     command->callback([=, &action] { action = [=] { return info(*options); }; });

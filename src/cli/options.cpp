@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <sstream>
 
 namespace utsuri {
@@ -95,6 +96,16 @@ MapSettings PictureOptions::map_settings() const {
     settings.size = map_size;
     settings.samples = map_samples;
     if (!capture_point.empty()) settings.capture_point = parse_point(capture_point);
+    const bool is_file = polyhedron.find_first_of("./\\") != std::string::npos;
+    settings.polyhedron = is_file ? read_polyhedron(polyhedron) : platonic_solid(polyhedron);
+    settings.refinement.edge = polygon_edge;
+    if (polygon_error) settings.refinement.error = *polygon_error * std::numbers::pi / 180.0;
+    return settings;
+}
+
+LightCacheSettings PictureOptions::light_settings() const {
+    LightCacheSettings settings;
+    settings.samples = light_samples;
     return settings;
 }
 
@@ -126,9 +137,32 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->check(CLI::Range(1u, 65536u))
         ->capture_default_str();
     command
+        .add_option(
+            "--light-spp", options.light_samples,
+            "Shadow rays at most at each point where light is kept on surfaces, for methods that draw")
+        ->check(CLI::Range(1u, kMostLightSamples))
+        ->capture_default_str();
+    command
         .add_option("--capture-point", options.capture_point,
                     "Where maps are captured, in metres [centre of each reflective object]")
         ->type_name("X,Y,Z");
+    command
+        .add_option(
+            "--polyhedron", options.polyhedron,
+            "Faces of polygon maps: tetrahedron, cube, octahedron, dodecahedron, icosahedron, or a file of "
+            "planes (with a dot in its name), x y z distance a line")
+        ->type_name("NAME|FILE")
+        ->capture_default_str();
+    command
+        .add_option("--polygon-edge", options.polygon_edge,
+                    "Cut reflectors into polygons with edges of at most so many metres [as modelled]")
+        ->check(finite_range(1e-6, 1e9));
+    command
+        .add_option(
+            "--polygon-error", options.polygon_error,
+            "Cut reflectors into polygons over which reflections are interpolated to so many degrees, for a "
+            "far eye [as modelled]")
+        ->check(finite_range(1e-3, 90.0));
     command.add_option("--exposure", options.exposure, "Exposure of display images in stops [automatic]")
         ->check(finite_range(-kMostStops, kMostStops));
 }

@@ -32,11 +32,16 @@ struct PictureOptions {
     std::uint32_t depth = 8;
     std::uint32_t map_size = 256;
     std::uint32_t map_samples = 8;
+    std::uint32_t light_samples = LightCacheSettings().samples;
     std::string capture_point;
+    std::string polyhedron = "cube";
+    std::optional<double> polygon_edge;
+    std::optional<double> polygon_error;
     std::optional<double> exposure;
 
     [[nodiscard]] RenderSettings render_settings() const;
     [[nodiscard]] MapSettings map_settings() const;
+    [[nodiscard]] LightCacheSettings light_settings() const;
 };
 
 void add_common_options(CLI::App& command, CommonOptions& options);

@@ -167,8 +167,10 @@ ExitCode render(const RenderOptions& options) {
     progress.begin("building the BVH");
     const SceneData data = prepare_scene_data(loaded.scene);
     const GpuScene scene(session.device(), data);
+    FilledLight light;
+    light.settings = options.picture.light_settings();
     const std::unique_ptr<Renderer> renderer =
-        make_renderer(method, {session.device(), data, scene, camera}, settings, maps);
+        make_renderer(method, {session.device(), data, scene, camera, light}, settings, maps);
     progress.begin("preparing");
     renderer->prepare(progress);
     Film film(session.device(), settings.width, settings.height, "picture");
@@ -212,7 +214,9 @@ void add_render_command(CLI::App& app, Action& action) {
         ->type_name("FILE");
     command->add_option("--light", options->light, "Light at diffuse surfaces: direct")
         ->capture_default_str();
-    command->add_option("--reflection", options->reflection, "Reflections: trace, polygon-map or sphere-map")
+    command
+        ->add_option("--reflection", options->reflection,
+                     "Reflections: trace, polygon-map, sphere-map, cube-map or proxy-map")
         ->capture_default_str();
     command
         ->add_option("--spp", options->samples, "Samples per pixel, or the most with --time or --noise [16]")

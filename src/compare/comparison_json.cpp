@@ -21,6 +21,10 @@ Json settings_to_json(const MethodResult& result) {
     if (result.maps) {
         json["map_size"] = result.maps->size;
         json["map_samples"] = result.maps->samples;
+        if (result.method.reflection != ReflectionMethod::sphere_map) {
+            json["polyhedron"] = result.maps->polyhedron.name;
+            json["faces"] = result.maps->polyhedron.planes.size();
+        }
         if (result.maps->capture_point) {
             const glm::dvec3& point = *result.maps->capture_point;
             json["capture_point"] = {point.x, point.y, point.z};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/method.h"
 
-#include "renderers/common/frame_camera.h"
 #include "renderers/ray_trace/ray_tracer.h"
 #include "renderers/reflection_map/map_renderer.h"
 
@@ -16,7 +15,24 @@ namespace utsuri {
 namespace {
 
 constexpr std::array kReflections = {ReflectionMethod::trace, ReflectionMethod::polygon_map,
-                                     ReflectionMethod::sphere_map};
+                                     ReflectionMethod::sphere_map, ReflectionMethod::cube_map,
+                                     ReflectionMethod::proxy_map};
+
+MapKind map_kind(ReflectionMethod reflection) {
+    switch (reflection) {
+        case ReflectionMethod::polygon_map:
+            return MapKind::polygon;
+        case ReflectionMethod::sphere_map:
+            return MapKind::sphere;
+        case ReflectionMethod::cube_map:
+            return MapKind::cube;
+        case ReflectionMethod::proxy_map:
+            return MapKind::proxy;
+        case ReflectionMethod::trace:
+            break;
+    }
+    fail_check(__FILE__, __LINE__, "a reflection method without maps");
+}
 
 }  // namespace
 
@@ -32,6 +48,10 @@ std::string_view to_string(ReflectionMethod reflection) {
             return "polygon-map";
         case ReflectionMethod::sphere_map:
             return "sphere-map";
+        case ReflectionMethod::cube_map:
+            return "cube-map";
+        case ReflectionMethod::proxy_map:
+            return "proxy-map";
     }
     fail_check(__FILE__, __LINE__, "a reflection method without a name");
 }
@@ -50,7 +70,7 @@ ReflectionMethod parse_reflection(std::string_view name) {
         if (name == to_string(reflection)) return reflection;
     }
     throw UsageError("choose reflection", fmt::format("'{}'", name),
-                     "there are: trace, polygon-map, sphere-map");
+                     "there are: trace, polygon-map, sphere-map, cube-map, proxy-map");
 }
 
 std::vector<Method> all_methods(LightMethod light) {
@@ -68,14 +88,10 @@ bool uses_maps(const Method& method) {
 std::unique_ptr<Renderer> make_renderer(const Method& method, const RenderInput& input,
                                         const RenderSettings& settings, const MapSettings& maps) {
     if (!uses_maps(method)) {
-        const auto camera =
-            make_camera_info(input.camera, input.data.origin, settings.width, settings.height);
-        return std::make_unique<RayTracer>(input.device, input.scene, camera, settings);
+        return std::make_unique<RayTracer>(input.device, input.data, input.scene, input.camera, settings);
     }
-    const MapKind kind =
-        method.reflection == ReflectionMethod::polygon_map ? MapKind::polygon : MapKind::sphere;
-    return std::make_unique<MapRenderer>(input.device, input.data, input.scene, input.camera, kind, settings,
-                                         maps);
+    return std::make_unique<MapRenderer>(input.device, input.data, input.scene, input.light, input.camera,
+                                         map_kind(method.reflection), settings, maps);
 }
 
 }  // namespace utsuri

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/common/light_cache.h"
 #include "renderers/common/renderer.h"
 #include "renderers/reflection_map/reflection_maps.h"
 
@@ -15,7 +16,7 @@ namespace utsuri {
 enum class LightMethod { direct };
 
 /// How the light arriving along a specular direction is found.
-enum class ReflectionMethod { trace, polygon_map, sphere_map };
+enum class ReflectionMethod { trace, polygon_map, sphere_map, cube_map, proxy_map };
 
 /// A point on the two axes, written "direct/polygon-map".
 struct Method {
@@ -45,6 +46,7 @@ struct RenderInput {
     const SceneData& data;
     const GpuScene& scene;
     const Camera& camera;
+    FilledLight& light;  ///< filled by the first renderer that needs it
 };
 
 std::unique_ptr<Renderer> make_renderer(const Method& method, const RenderInput& input,

@@ -23,10 +23,11 @@ std::string describe(const Device& device, std::uint64_t bytes, const std::strin
 
 vk::raii::Buffer create_buffer(const Device& device, std::uint64_t bytes) {
     using Usage = vk::BufferUsageFlagBits;
-    return device.handle().createBuffer({{},
-                                         bytes,
-                                         Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst,
-                                         vk::SharingMode::eExclusive});
+    return device.handle().createBuffer(
+        {{},
+         bytes,
+         Usage::eStorageBuffer | Usage::eIndirectBuffer | Usage::eTransferSrc | Usage::eTransferDst,
+         vk::SharingMode::eExclusive});
 }
 
 DeviceMemory bind_memory(Device& device, const vk::raii::Buffer& buffer,

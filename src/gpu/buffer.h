@@ -13,7 +13,8 @@
 
 namespace utsuri {
 
-/// A storage buffer with its own memory, in device memory where there is some. Move-only.
+/// A storage buffer with its own memory, in device memory where there is some. It can also hold the arguments
+/// of indirect draws. Move-only.
 class Buffer {
   public:
     /// @param bytes at least 1; at most the device's storage range

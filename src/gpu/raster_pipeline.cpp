@@ -4,6 +4,8 @@
 #include "gpu/vulkan_call.h"
 
 #include <array>
+#include <optional>
+#include <vector>
 
 namespace utsuri {
 namespace {
@@ -11,25 +13,38 @@ namespace {
 constexpr vk::ShaderStageFlags kStages =
     vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
+std::vector<std::span<const std::uint32_t>> modules(std::span<const std::uint32_t> vertex,
+                                                    std::span<const std::uint32_t> fragment) {
+    if (fragment.empty()) return {vertex};
+    return {vertex, fragment};
+}
+
 vk::raii::Pipeline create_pipeline(const Device& device, const PipelineInterface& interface,
                                    std::span<const std::uint32_t> vertex,
                                    std::span<const std::uint32_t> fragment,
-                                   const Specialization& specialization) {
+                                   const Specialization& specialization, const DepthState& depth_state) {
     const ShaderStage vertex_stage(device, vk::ShaderStageFlagBits::eVertex, vertex, specialization);
-    const ShaderStage fragment_stage(device, vk::ShaderStageFlagBits::eFragment, fragment, specialization);
-    const std::array stages = {vertex_stage.info(), fragment_stage.info()};
+    std::vector stages = {vertex_stage.info()};
+    std::optional<ShaderStage> fragment_stage;
+    if (!fragment.empty()) {
+        fragment_stage.emplace(device, vk::ShaderStageFlagBits::eFragment, fragment, specialization);
+        stages.push_back(fragment_stage->info());
+    }
     const vk::PipelineVertexInputStateCreateInfo pulled;
     const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::eTriangleList);
     const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
     vk::PipelineRasterizationStateCreateInfo rasterization;
     rasterization.cullMode = vk::CullModeFlagBits::eNone;
     rasterization.lineWidth = 1.0f;
+    rasterization.depthBiasEnable = depth_state.behind != 0.0f ? VK_TRUE : VK_FALSE;
+    rasterization.depthBiasConstantFactor = -depth_state.behind;
     const vk::PipelineMultisampleStateCreateInfo single_sample({}, vk::SampleCountFlagBits::e1);
-    // Of equal distances the one drawn first wins.
-    const vk::PipelineDepthStencilStateCreateInfo depth({}, VK_TRUE, VK_TRUE, vk::CompareOp::eGreater);
+    const bool nearer = depth_state.test == DepthTest::nearer;
+    const vk::PipelineDepthStencilStateCreateInfo depth(
+        {}, VK_TRUE, nearer ? VK_TRUE : VK_FALSE, nearer ? vk::CompareOp::eGreater : vk::CompareOp::eEqual);
     using Channel = vk::ColorComponentFlagBits;
     vk::PipelineColorBlendAttachmentState overwrite;
-    overwrite.colorWriteMask = Channel::eR | Channel::eG | Channel::eB | Channel::eA;
+    if (fragment_stage) overwrite.colorWriteMask = Channel::eR | Channel::eG | Channel::eB | Channel::eA;
     const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eClear, overwrite);
     const std::array dynamic = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic_state({}, dynamic);
@@ -71,10 +86,10 @@ vk::RenderingAttachmentInfo cleared(const Attachment& attachment, const vk::Clea
 
 RasterPipeline::RasterPipeline(Device& device, const std::string& name, std::span<const std::uint32_t> vertex,
                                std::span<const std::uint32_t> fragment, const Specialization& specialization,
-                               std::uint32_t push_bytes)
-    : interface_(device, name, std::array{vertex, fragment}, kStages, push_bytes),
+                               std::uint32_t push_bytes, const DepthState& depth)
+    : interface_(device, name, modules(vertex, fragment), kStages, push_bytes),
       pipeline_(vulkan_call("create pipeline", name, [&] {
-          return create_pipeline(device, interface_, vertex, fragment, specialization);
+          return create_pipeline(device, interface_, vertex, fragment, specialization, depth);
       })) {}
 
 RasterPipeline::RasterPipeline(RasterPipeline&& other) noexcept = default;
@@ -82,11 +97,20 @@ RasterPipeline& RasterPipeline::operator=(RasterPipeline&& other) noexcept = def
 RasterPipeline::~RasterPipeline() = default;
 
 void RasterPipeline::draw_bytes(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
-                                std::span<const std::byte> push, std::uint32_t triangles) const {
+                                std::span<const std::byte> push, std::uint32_t first,
+                                std::uint32_t triangles) const {
     if (triangles == 0) return;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
     interface_.use(commands, vk::PipelineBindPoint::eGraphics, bindings, push);
-    commands.draw(3 * triangles, 1, 0, 0);
+    commands.draw(3 * triangles, 1, 3 * first, 0);
+}
+
+void RasterPipeline::draw_indirect_bytes(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
+                                         std::span<const std::byte> push, const Buffer& arguments,
+                                         std::uint32_t index) const {
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
+    interface_.use(commands, vk::PipelineBindPoint::eGraphics, bindings, push);
+    commands.drawIndirect(arguments.handle(), index * sizeof(vk::DrawIndirectCommand), 1, 0);
 }
 
 void draw_into(const vk::raii::CommandBuffer& commands, const Attachment& colour, const Attachment& depth,

@@ -9,15 +9,28 @@
 
 namespace utsuri {
 
+/// Which fragments are kept. Depth is reversed: 1 at the near plane, 0 at infinity.
+enum class DepthTest {
+    nearer,  ///< than what was drawn so far, whose place they take; of equal ones the first
+    equal    ///< to the depth drawn before, which stays
+};
+
+struct DepthState {
+    DepthTest test = DepthTest::nearer;
+    /// How far fragments are moved back first, in units in the last place of the largest depth of their
+    /// triangle.
+    float behind = 0.0f;
+};
+
 /// A graphics pipeline made from embedded SPIR-V: triangles whose vertices the vertex stage pulls from
-/// storage buffers, drawn on both sides, the nearest winning. Depth is reversed: 1 at the near plane, 0 at
-/// infinity. Move-only.
+/// storage buffers, drawn on both sides. Move-only.
 class RasterPipeline {
   public:
+    /// @param fragment empty for a pipeline that draws depth alone
     /// @param push_bytes size of the push constant block that both stages see, at most 128
     RasterPipeline(Device& device, const std::string& name, std::span<const std::uint32_t> vertex,
                    std::span<const std::uint32_t> fragment, const Specialization& specialization,
-                   std::uint32_t push_bytes);
+                   std::uint32_t push_bytes, const DepthState& depth = {});
     RasterPipeline(RasterPipeline&& other) noexcept;
     RasterPipeline& operator=(RasterPipeline&& other) noexcept;
     ~RasterPipeline();
@@ -25,16 +38,27 @@ class RasterPipeline {
     /// Binds buffers; extra entries are passed over, a missing one is a failed check.
     [[nodiscard]] BindingSet bind(const Bindings& buffers) const { return interface_.bind(buffers); }
 
-    /// Records a draw of whole triangles, inside draw_into().
+    /// Records a draw of whole triangles, inside draw_into(). Vertex indices begin at 3 * first.
     template <typename Push>
     void draw(const vk::raii::CommandBuffer& commands, const BindingSet& bindings, const Push& push,
-              std::uint32_t triangles) const {
-        draw_bytes(commands, bindings, std::as_bytes(std::span(&push, 1)), triangles);
+              std::uint32_t first, std::uint32_t triangles) const {
+        draw_bytes(commands, bindings, std::as_bytes(std::span(&push, 1)), first, triangles);
+    }
+
+    /// Records a draw whose VkDrawIndirectCommand a kernel has written.
+    /// @param index which of the commands in `arguments`
+    template <typename Push>
+    void draw_indirect(const vk::raii::CommandBuffer& commands, const BindingSet& bindings, const Push& push,
+                       const Buffer& arguments, std::uint32_t index) const {
+        draw_indirect_bytes(commands, bindings, std::as_bytes(std::span(&push, 1)), arguments, index);
     }
 
   private:
+    void draw_indirect_bytes(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
+                             std::span<const std::byte> push, const Buffer& arguments,
+                             std::uint32_t index) const;
     void draw_bytes(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
-                    std::span<const std::byte> push, std::uint32_t triangles) const;
+                    std::span<const std::byte> push, std::uint32_t first, std::uint32_t triangles) const;
 
     PipelineInterface interface_;
     vk::raii::Pipeline pipeline_;

@@ -102,9 +102,12 @@ Requirements find_requirements(const Scene& scene) {
             if (slot->used()) textures.insert(slot->texture);
         }
     }
-    for (const std::uint32_t material : materials) {
-        needs.glossy = needs.glossy || may_be_glossy(scene, scene.materials[material]);
+    for (const Material& material : scene.materials) {
+        needs.surfaces.push_back(
+            {may_be_glossy(scene, material), may_be_specular(scene, material), has_texture(material)});
     }
+    for (const std::uint32_t material : materials)
+        needs.glossy = needs.glossy || needs.surfaces[material].glossy;
     for (const std::int32_t texture : textures) {
         needs.texels += scene.textures[static_cast<std::size_t>(texture)].rgba.size() / 4;
     }

@@ -3,10 +3,20 @@
 
 #include "scene/scene.h"
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
 namespace utsuri {
+
+/// What shading a material takes.
+struct SurfaceFeatures {
+    bool glossy = false;    ///< some point has a rough specular lobe
+    bool specular = false;  ///< some point reflects like a perfect mirror
+    bool textured = false;
+
+    friend auto operator<=>(const SurfaceFeatures&, const SurfaceFeatures&) = default;
+};
 
 /// What rendering a scene takes. It picks the specialization of every kernel and decides which resources
 /// exist at all.
@@ -23,6 +33,7 @@ struct Requirements {
     bool glossy = false;                              ///< rough specular lobes
     bool specular = false;                            ///< perfect mirrors or smooth dielectrics
     std::vector<std::uint32_t> reflective_instances;  ///< with a specular surface
+    std::vector<SurfaceFeatures> surfaces;            ///< of each material, in use or not
     /// Most specular reflections a ray can meet: 0 without mirrors, 1 where all lie in one plane, else
     /// unbounded.
     std::uint32_t specular_depth = 0;

@@ -10,10 +10,12 @@ MapObserver::MapObserver(Device& device, const Scene& scene, MapKind kind, const
       data_(prepare_scene_data(scene)),
       gpu_scene_(device, data_),
       kind_(kind),
-      settings_(settings) {}
+      settings_(settings) {
+    light_.settings = {1.0 / 60.0, 4};  // what is looked at shines by itself
+}
 
 Image MapObserver::picture(const Camera& camera, const RenderSettings& settings, std::uint32_t samples) {
-    MapRenderer renderer(device_, data_, gpu_scene_, camera, kind_, settings, settings_);
+    MapRenderer renderer(device_, data_, gpu_scene_, light_, camera, kind_, settings, settings_);
     Film film(device_, settings.width, settings.height, "observed film");
     Progress progress;
     renderer.prepare(progress);
@@ -33,7 +35,7 @@ Estimate MapObserver::look(glm::dvec3 eye, glm::dvec3 target, std::uint32_t samp
 std::vector<Image> MapObserver::maps(const Camera& camera) {
     RenderSettings settings;
     settings.width = settings.height = interop::TILE_SIZE;
-    MapRenderer renderer(device_, data_, gpu_scene_, camera, kind_, settings, settings_);
+    MapRenderer renderer(device_, data_, gpu_scene_, light_, camera, kind_, settings, settings_);
     Progress progress;
     renderer.prepare(progress);
     std::vector<Image> images;

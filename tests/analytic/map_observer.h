@@ -25,6 +25,7 @@ class MapObserver {
     GpuScene gpu_scene_;
     MapKind kind_;
     MapSettings settings_;
+    FilledLight light_;
     RenderStatistics statistics_;
 };
 

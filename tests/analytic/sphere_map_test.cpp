@@ -16,6 +16,14 @@ namespace {
 
 class SphereMap : public DeviceTest {};
 
+MapSettings map_settings(std::uint32_t size, std::optional<glm::dvec3> capture_point = std::nullopt) {
+    MapSettings settings;
+    settings.size = size;
+    settings.samples = 16;
+    settings.capture_point = capture_point;
+    return settings;
+}
+
 void add_ball(Scene& scene, glm::vec3 centre) {
     add(scene, icosphere(centre, 0.05f, 0), mirror());
 }
@@ -40,7 +48,7 @@ TEST_F(SphereMap, DirectionToTextureAndBack) {
     Scene scene;
     coded.add_to(scene);
     add_ball(scene, glm::vec3(centre));
-    MapObserver observer(device(), scene, MapKind::sphere, {kSize, 16, std::nullopt});
+    MapObserver observer(device(), scene, MapKind::sphere, map_settings(kSize));
     const Camera camera = look_at({3, 2, 4}, centre);
     const std::vector<Image> maps = observer.maps(camera);
     ASSERT_EQ(maps.size(), 1u);
@@ -74,7 +82,7 @@ TEST_F(SphereMap, TexelsHaveEqualSolidAngles) {
         scene.instances.back().world_from_object =
             glm::rotate(glm::dmat4(1.0), angle, glm::dvec3(0.6, 0.8, 0));
         add_ball(scene, glm::vec3(0.0f));
-        MapObserver observer(device(), scene, MapKind::sphere, {kSize, 16, std::nullopt});
+        MapObserver observer(device(), scene, MapKind::sphere, map_settings(kSize));
         const Image map = observer.maps(look_at({0, 0, 3}, {0, 0, 0})).front();
         double sum = 0.0;
         for (const glm::vec3& texel : map.pixels) {
@@ -97,8 +105,8 @@ TEST_F(SphereMap, DistortsOnPlaneMirrors) {
     RenderSettings settings;
     settings.width = settings.height = 32;
     const auto largest_error = [&](MapKind kind) {
-        const Image image =
-            MapObserver(device(), scene, kind, {kSize, 16, capture_point}).picture(camera, settings, 4);
+        const Image image = MapObserver(device(), scene, kind, map_settings(kSize, capture_point))
+                                .picture(camera, settings, 4);
         const double half = std::tan(0.5 * camera.vertical_fov);
         double largest = 0.0;
         for (std::uint32_t y = 0; y < 32; ++y) {

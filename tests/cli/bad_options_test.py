@@ -49,7 +49,7 @@ class BadOptions(CliCase):
     def test_whole_numbers(self):
         most = 2**32 - 1
         for option, lowest, highest in (("--spp", 1, 2**24), ("--depth", 0, 1000000), ("--map-size", 1, 4096),
-                                        ("--map-spp", 1, 65536), ("--seed", 0, most)):
+                                        ("--map-spp", 1, 65536), ("--light-spp", 1, 256), ("--seed", 0, most)):
             values = (str(lowest - 1), str(highest + 1), "many", "1.5", "nan")
             self.refuse_picture_option(option, values, option, f"{lowest} to {highest}")
         for value in ("1", str(2**24 + 1)):
@@ -61,6 +61,9 @@ class BadOptions(CliCase):
         stops = ("61", "-60.5", "nan", "inf", "bright")
         self.refuse_picture_option("--exposure", stops, "--exposure", "-60 to 60")
         self.refuse(("--exposure", "-60 to 60"), "diff", "a.png", "b.png", "--exposure", "nan")
+        lengths = ("0", "-1", "nan", "inf", "long")
+        self.refuse_picture_option("--polygon-edge", lengths, "--polygon-edge", "1e-06 to 1e+09")
+        self.refuse_picture_option("--polygon-error", (*lengths, "91"), "--polygon-error", "0.001 to 90")
         for value in ("0", "-1", "nan", "inf", "low"):
             self.refuse(("--noise", value, "1e-07 to 1e+06"),
                         "render", "scene.glb", "-o", "picture.exr", "--noise", value)
@@ -79,14 +82,17 @@ class BadOptions(CliCase):
 
     def test_names(self):
         self.refuse_picture_option("--light", ("candle",), "'candle'", "direct")
-        self.refuse(("'magic'", "trace, polygon-map, sphere-map"),
+        self.refuse(("'magic'", "trace, polygon-map, sphere-map, cube-map, proxy-map"),
                     "render", "scene.glb", "-o", "picture.exr", "--reflection", "magic")
         for methods in ("magic", "trace,magic", "direct/magic"):
-            self.refuse(("magic'", "trace, polygon-map, sphere-map"),
+            self.refuse(("magic'", "trace, polygon-map, sphere-map, cube-map, proxy-map"),
                         "compare", "scene.glb", "--methods", methods)
         self.refuse(("'smell'", "depth, position, normal"),
                     "render", "scene.glb", "-o", "picture.exr", "--aov", "depth,smell")
         self.refuse(("--metric", "psnr", "rel_mse"), "diff", "a.png", "b.png", "--metric", "psnr")
+
+    def test_polyhedra(self):
+        self.refuse_picture_option("--polyhedron", ("sphere", "cube2", ""), "dodecahedron", "file of planes")
 
     def test_cameras(self):
         self.refuse_picture_option("--camera", ("1", "-1", "back"), "choose camera", "0: front")

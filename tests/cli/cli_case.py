@@ -37,7 +37,7 @@ def environment_path(name):
 def cheap_compare(samples=2, reference_samples=4):
     """Options that make a comparison cheap; maps of 16 texels are enough for every code path."""
     return ("--size", "64x48", "--spp", str(samples), "--reference-spp", str(reference_samples),
-            "--map-size", "16", "--map-spp", "1")
+            "--map-size", "16", "--map-spp", "1", "--light-spp", "2")
 
 
 class CliCase(unittest.TestCase):

@@ -75,7 +75,17 @@ class Queries(CliCase):
         small = self.json_of("info", self.scene("office"), "--size", "64x48")["predicted_bytes"]
         large = self.json_of("info", self.scene("office"), "--size", "640x480")["predicted_bytes"]
         self.assertEqual(large["film"], 100 * small["film"])
+        self.assertEqual(large["drawing"], 100 * small["drawing"])
         self.assertEqual(large["scene"], small["scene"])
+        self.assertGreater(small["light"], 0)
+        self.assertEqual(large["light"], small["light"])
+        tetrahedron = self.json_of("info", self.scene("office"), "--polyhedron", "tetrahedron")["predicted_bytes"]
+        cube = self.json_of("info", self.scene("office"))["predicted_bytes"]
+        film = 48 * 258 * 258  # of one map
+        self.assertEqual((tetrahedron["polygon_maps"] - film) * 6, (cube["polygon_maps"] - film) * 4)
+
+    def test_info_predicts_no_maps_without_mirrors(self):
+        self.assertEqual(self.json_of("info", self.scene("cornell"))["predicted_bytes"]["polygon_maps"], 0)
 
     def test_version_and_help(self):
         self.assertRegex(self.succeed("--version").stdout, r"^utsuri \d+\.\d+\.\d+\n$")

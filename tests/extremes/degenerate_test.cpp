@@ -21,6 +21,7 @@ class Degenerate : public DeviceTest {
         const MapSettings maps{4, 1, {}};
         check(render_with_maps(device(), scene, camera, settings, MapKind::polygon, maps, 2), "polygon-map");
         check(render_with_maps(device(), scene, camera, settings, MapKind::sphere, maps, 2), "sphere-map");
+        check(render_with_maps(device(), scene, camera, settings, MapKind::proxy, maps, 2), "proxy-map");
     }
 
     static void check(const Traced& result, const char* method) {

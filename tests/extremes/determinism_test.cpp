@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The same picture for any split of the work.
-#include "renderers/common/frame_camera.h"
 #include "renderers/ray_trace/ray_tracer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
@@ -20,9 +19,7 @@ class Determinism : public DeviceTest {
         const GpuScene scene(device(), data);
         RenderSettings settings = kSettings;
         settings.seed = seed;
-        RayTracer tracer(device(), scene,
-                         make_camera_info(everything_camera(), data.origin, settings.width, settings.height),
-                         settings);
+        RayTracer tracer(device(), data, scene, everything_camera(), settings);
         Film film(device(), settings.width, settings.height, "film");
         Progress progress;
         for (const std::uint32_t count : portions)

@@ -37,7 +37,7 @@ TEST_F(Scale, TracedPictureIsTheSameBits) {
 
 TEST_F(Scale, MappedPicturesAreTheSameBits) {
     const MapSettings maps{24, 2, {}};
-    for (const MapKind kind : {MapKind::polygon, MapKind::sphere}) {
+    for (const MapKind kind : {MapKind::polygon, MapKind::sphere, MapKind::proxy}) {
         const Image original =
             render_with_maps(device(), everything_scene(), everything_camera(), kSettings, kind, maps, 2)
                 .image;

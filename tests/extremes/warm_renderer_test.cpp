@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // A renderer learns how much work its device does in a tenth of a second. What it has learnt must not show.
-#include "renderers/common/frame_camera.h"
 #include "renderers/ray_trace/ray_tracer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
@@ -14,9 +13,7 @@ TEST_F(WarmRenderer, RendersTheSamePictureAgain) {
     const RenderSettings settings{72, 56, 11, 8};
     const SceneData data = prepare_scene_data(everything_scene());
     const GpuScene scene(device(), data);
-    RayTracer tracer(device(), scene,
-                     make_camera_info(everything_camera(), data.origin, settings.width, settings.height),
-                     settings);
+    RayTracer tracer(device(), data, scene, everything_camera(), settings);
     Film film(device(), settings.width, settings.height, "film");
     Progress progress;
     // The first sample takes many small dispatches, later ones few.

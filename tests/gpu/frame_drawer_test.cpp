@@ -37,18 +37,19 @@ class DrawnFrames : public DeviceTest {
         const GpuScene gpu_scene(device(), data);
         LightCache cache(device(), data, {kSpacing, 4});
         Progress progress;
-        double seconds_to_compile = 0.0;
-        cache.fill(gpu_scene, 0, seconds_to_compile, progress);
-        const ReflectionMaps maps(device(), data, MapKind::polygon, {4, 1, std::nullopt});
-        const Buffer reflections =
-            make_buffer<interop::VertexReflection>(device(), {}, "no vertex reflections");
+        FilledLight light;
+        cache.fill(gpu_scene, 0, light, progress);
+        MapSettings settings;
+        settings.size = 4;
+        const ReflectionMaps maps(device(), data, MapKind::polygon, settings);
         Bindings bindings = gpu_scene.bindings();
         bindings.merge(cache.bindings());
         bindings.merge(maps.bindings());
-        bindings[interop::BINDING_VERTEX_REFLECTIONS] = &reflections;
         Specialization specialization = gpu_scene.specialization();
         specialization[interop::SPEC_MAP_SIZE] = 4;
-        FrameDrawer drawer(device(), data, specialization, bindings, kWidth, kHeight);
+        const ReflectorDrawer reflectors(device(), data, maps.reflectors(), MapKind::polygon, maps.faces(),
+                                         std::nullopt, specialization, bindings);
+        FrameDrawer drawer(device(), data, specialization, bindings, reflectors, kWidth, kHeight);
         drawer.warm_up();
         Film film(device(), kWidth, kHeight, "drawn film");
         for (const std::uint32_t count : samples) {
@@ -117,9 +118,9 @@ TEST_F(DrawnFrames, AreLitAsByRays) {
     }
 }
 
-// A lamp over a floor: between the points of the cache light is interpolated linearly. With second
-// derivatives of at most M = 3 I / h^4 (straight below the lamp) that errs by at most M L^2 / 6 on a cell of
-// longest edge L, whose smallest enclosing circle has a radius of at most L / sqrt(3).
+// A lamp over a floor: light is interpolated linearly along the rows of the cache and between them. With
+// second derivatives of at most M = 3 I / h^4 (straight below the lamp) either errs by at most M L^2 / 8 over
+// a distance L of neighbours.
 TEST_F(DrawnFrames, InterpolateLightLinearly) {
     constexpr double kLampHeight = 3.0;
     constexpr double kIntensity = 40.0;
@@ -133,7 +134,7 @@ TEST_F(DrawnFrames, InterpolateLightLinearly) {
     const Camera camera = look_at({1, 4, 2}, {0, 0, 0}, 0.6);
     const Image drawn = draw(scene, camera, {1});
     const double cell = kSpacing * 8.0 * std::sqrt(2.0);
-    const double bound = 3.0 * kIntensity / std::pow(kLampHeight, 4.0) * cell * cell / 6.0 / std::numbers::pi;
+    const double bound = 3.0 * kIntensity / std::pow(kLampHeight, 4.0) * cell * cell / 4.0 / std::numbers::pi;
     const glm::dvec2 jitter = sample_2d(sampler_key({0, 0}, kSeed, 0), 0, 0);
     const double half_height = std::tan(0.5 * camera.vertical_fov);
     const double half_width = half_height * kWidth / kHeight;

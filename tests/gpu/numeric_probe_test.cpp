@@ -136,30 +136,5 @@ TEST_F(NumericProbe, FindsTheNextFloat) {
     }
 }
 
-TEST_F(NumericProbe, ProjectsDirectionsOntoTheCubeAndBack) {
-    std::vector<interop::NumericQuery> queries;
-    for (std::uint32_t i = 0; i < 10000; ++i)
-        queries.push_back({7.0f * unit_vector(i), {1, 0, 0}, 0.0f});
-    const auto answers = ask(queries);
-    std::vector<int> on_face(6, 0);
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-        ASSERT_LT(answers[i].face, 6u);
-        ++on_face[answers[i].face];
-        // Face 2a + s looks along axis a, downwards where s = 1; right and up are the axes that follow in
-        // cyclic order.
-        const int axis = static_cast<int>(answers[i].face / 2);
-        glm::dvec3 back(0.0);
-        back[axis] = answers[i].face % 2 == 0 ? 1.0 : -1.0;
-        back[(axis + 1) % 3] = static_cast<double>(answers[i].position.x);
-        back[(axis + 2) % 3] = static_cast<double>(answers[i].position.y);
-        ASSERT_LE(std::max(std::abs(answers[i].position.x), std::abs(answers[i].position.y)), 1.0f);
-        ASSERT_LT(glm::length(glm::normalize(back) - glm::normalize(glm::dvec3(queries[i].vector))),
-                  kUnitVector);
-    }
-    // Each face has a sixth of the sphere: binomial, 6 standard deviations of 37.
-    for (const int count : on_face)
-        EXPECT_NEAR(count, 10000 / 6, 6 * 37);
-}
-
 }  // namespace
 }  // namespace utsuri

@@ -38,9 +38,7 @@ struct NumericAnswer {
     vec3 normalized;
     vec3 tangent;  ///< of the basis about `normal`
     vec3 bitangent;
-    vec3 next;      ///< each component of `vector` moved by one float towards the sign of that of `normal`
-    uint face;      ///< of the cube, that `vector` points at
-    vec2 position;  ///< on that face
+    vec3 next;  ///< each component of `vector` moved by one float towards the sign of that of `normal`
 };
 
 struct MicrofacetQuery {

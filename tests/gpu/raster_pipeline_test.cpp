@@ -40,7 +40,7 @@ class RasterOnDevice : public DeviceTest {
         const Buffer pixels(device(), kWidth * kHeight * sizeof(glm::vec4), "pixels");
         device().run("draw", [&](const vk::raii::CommandBuffer& commands) {
             draw_into(commands, colour, depth, kBackground, [&] {
-                pipeline.draw(commands, set, shift, static_cast<std::uint32_t>(corners.size() / 3));
+                pipeline.draw(commands, set, shift, 0, static_cast<std::uint32_t>(corners.size() / 3));
             });
             colour.copy_rows(commands, 0, kHeight, pixels);
         });
@@ -87,6 +87,38 @@ TEST_F(RasterOnDevice, TheNearestWins) {
         EXPECT_GE(pixel.x, 3.0f);
     for (const glm::vec4& pixel : draw(near_first))
         EXPECT_LE(pixel.x, 2.0f);
+}
+
+// Depth alone first, then only what lies at that depth; the vertices of the second draw begin at its first
+// triangle.
+TEST_F(RasterOnDevice, ShadesOnlyWhatADepthPassLeft) {
+    std::vector<glm::vec4> corners = whole_picture(0.25f);
+    for (const glm::vec4& corner : whole_picture(0.5f))
+        corners.push_back(corner);
+    const RasterPipeline depth_pass(device(), "depth pass", kernels::raster_probe_vert, {}, {},
+                                    sizeof(float));
+    const RasterPipeline equal(device(), "raster_probe", kernels::raster_probe_vert,
+                               kernels::raster_probe_frag, {}, sizeof(float), {DepthTest::equal});
+    const Buffer buffer = make_buffer<glm::vec4>(device(), corners, "corners");
+    const BindingSet depth_set = depth_pass.bind({{0, &buffer}});
+    const BindingSet set = equal.bind({{0, &buffer}});
+    const Attachment colour(device(), kWidth, kHeight, kColourFormat, "colour");
+    const Attachment depth(device(), kWidth, kHeight, kDepthFormat, "depth");
+    const Buffer pixels(device(), kWidth * kHeight * sizeof(glm::vec4), "pixels");
+    const auto shaded = [&](bool far_ones) {
+        device().run("draw", [&](const vk::raii::CommandBuffer& commands) {
+            draw_into(commands, colour, depth, kBackground, [&] {
+                depth_pass.draw(commands, depth_set, 0.0f, 0, 4);
+                equal.draw(commands, set, 0.0f, far_ones ? 0 : 2, 2);
+            });
+            colour.copy_rows(commands, 0, kHeight, pixels);
+        });
+        return pixels.download_records<glm::vec4>(kWidth * kHeight);
+    };
+    for (const glm::vec4& pixel : shaded(false))
+        EXPECT_GE(pixel.x, 3.0f);
+    for (const glm::vec4& pixel : shaded(true))
+        EXPECT_EQ(pixel.x, kBackground[0]);
 }
 
 TEST_F(RasterOnDevice, DrawsBothSides) {
@@ -151,7 +183,7 @@ TEST_F(RasterOnDevice, CopiesSomeRows) {
     const BindingSet set = pipeline.bind({{0, &buffer}});
     const Buffer rows(device(), 2 * kWidth * sizeof(glm::vec4), "two rows");
     device().run("draw", [&](const vk::raii::CommandBuffer& commands) {
-        draw_into(commands, colour, depth, kBackground, [&] { pipeline.draw(commands, set, 0.0f, 2); });
+        draw_into(commands, colour, depth, kBackground, [&] { pipeline.draw(commands, set, 0.0f, 0, 2); });
         colour.copy_rows(commands, 0, 2, rows);
         colour.copy_rows(commands, 5, 2, rows);
     });

@@ -6,7 +6,7 @@
 
 namespace utsuri::test {
 
-/// Renders direct/polygon-map or direct/sphere-map.
+/// Renders a method that looks reflections up in maps.
 Traced render_with_maps(Device& device, const Scene& scene, const Camera& camera,
                         const RenderSettings& settings, MapKind kind, const MapSettings& maps,
                         std::uint32_t samples);

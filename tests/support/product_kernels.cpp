@@ -3,13 +3,20 @@
 
 #include "kernels/add_drawn.h"
 #include "kernels/aov.h"
+#include "kernels/cut_polygons.h"
+#include "kernels/draw_cut_pieces_vert.h"
+#include "kernels/draw_depth_vert.h"
+#include "kernels/draw_reflector_frag.h"
+#include "kernels/draw_reflectors_vert.h"
 #include "kernels/draw_scene_frag.h"
 #include "kernels/draw_scene_vert.h"
+#include "kernels/draw_whole_pieces_vert.h"
 #include "kernels/fill_light_cache.h"
-#include "kernels/polygon_map.h"
+#include "kernels/prefix_sum.h"
 #include "kernels/reflect_vertices.h"
 #include "kernels/resolve_map.h"
-#include "kernels/sphere_map.h"
+#include "kernels/sort_polygons.h"
+#include "kernels/trace_cached.h"
 #include "kernels/trace_direct.h"
 #include "kernels/trace_rays.h"
 
@@ -18,13 +25,20 @@ namespace utsuri::test {
 std::vector<ProductKernel> product_kernels() {
     return {{"add_drawn", kernels::add_drawn},
             {"aov", kernels::aov},
+            {"cut_polygons", kernels::cut_polygons},
+            {"draw_cut_pieces_vert", kernels::draw_cut_pieces_vert},
+            {"draw_depth_vert", kernels::draw_depth_vert},
+            {"draw_reflector_frag", kernels::draw_reflector_frag},
+            {"draw_reflectors_vert", kernels::draw_reflectors_vert},
             {"draw_scene_frag", kernels::draw_scene_frag},
             {"draw_scene_vert", kernels::draw_scene_vert},
+            {"draw_whole_pieces_vert", kernels::draw_whole_pieces_vert},
             {"fill_light_cache", kernels::fill_light_cache},
-            {"polygon_map", kernels::polygon_map},
+            {"prefix_sum", kernels::prefix_sum},
             {"reflect_vertices", kernels::reflect_vertices},
             {"resolve_map", kernels::resolve_map},
-            {"sphere_map", kernels::sphere_map},
+            {"sort_polygons", kernels::sort_polygons},
+            {"trace_cached", kernels::trace_cached},
             {"trace_direct", kernels::trace_direct},
             {"trace_rays", kernels::trace_rays}};
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/scenes.h"
 
-#include "renderers/common/frame_camera.h"
 #include "renderers/ray_trace/ray_tracer.h"
 
 #include <glm/geometric.hpp>
@@ -156,8 +155,7 @@ Traced trace(Device& device, const Scene& scene, const Camera& camera, const Ren
              std::uint32_t samples) {
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device, data);
-    RayTracer tracer(device, gpu_scene,
-                     make_camera_info(camera, data.origin, settings.width, settings.height), settings);
+    RayTracer tracer(device, data, gpu_scene, camera, settings);
     Film film(device, settings.width, settings.height, "test film");
     Progress progress;
     tracer.prepare(progress);

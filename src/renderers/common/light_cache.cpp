@@ -3,15 +3,18 @@
 
 #include "renderers/common/renderer.h"
 
+#include "base/check.h"
 #include "base/error.h"
 
 #include "interop/bindings.h"
+#include "interop/specialization.h"
 #include "kernels/fill_light_cache.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -22,11 +25,12 @@ namespace {
 constexpr double kMostIntervals = 32768.0;
 constexpr std::uint32_t kGroupSize = 64;
 constexpr std::uint64_t kMostPointsPerDispatch = std::uint64_t{kMaxGroups} * kGroupSize;
-/// A sample takes one shadow ray on each side; see kQueriesPerInvocation in film_kernel.cpp for the bound.
-constexpr std::uint32_t kMostSamplesPerDispatch = 256;
 
-std::uint64_t lattice_points(std::uint64_t edge) {
-    return edge == 0 ? 0 : (edge + 1) * (edge + 2) / 2;
+std::uint64_t lattice_points(const interop::LightCacheTriangle& lattice) {
+    if (lattice.intervals == 0) return 0;
+    // Rows of 2 to intervals + 1 points, each size rows_per_interval times, and the apex.
+    const std::uint64_t n = lattice.intervals;
+    return lattice.rows_per_interval * (n * (n + 3) / 2) + 1;
 }
 
 /// Whether any light that arrives is reflected diffusely.
@@ -34,23 +38,48 @@ bool is_diffuse(const interop::MaterialInfo& material) {
     return material.metallic < 1.0f && material.base_colour != glm::vec3(0.0f);
 }
 
+/// Rows over a triangle that keep neighbours in and across rows within `spacing`.
+interop::LightCacheTriangle plan_rows(const interop::BvhTriangle& triangle, double spacing) {
+    const std::array<glm::dvec3, 3> corners = {glm::dvec3(triangle.v0), glm::dvec3(triangle.v1),
+                                               glm::dvec3(triangle.v2)};
+    std::array<double, 3> opposite{};
+    for (std::size_t i = 0; i < 3; ++i)
+        opposite[i] = glm::distance(corners[(i + 1) % 3], corners[(i + 2) % 3]);
+    const auto apex =
+        static_cast<std::size_t>(std::min_element(opposite.begin(), opposite.end()) - opposite.begin());
+    const double longest = *std::max_element(opposite.begin(), opposite.end());
+    const double intervals = std::clamp(std::ceil(opposite[apex] / spacing), 1.0, kMostIntervals);
+    const double rows = std::clamp(std::ceil(longest / (spacing * intervals)), 1.0, kMostIntervals);
+    return {0, static_cast<std::uint32_t>(intervals), static_cast<std::uint32_t>(rows),
+            static_cast<std::uint32_t>(apex)};
+}
+
 std::vector<interop::LightCacheTriangle> plan(const SceneData& data, double spacing) {
     std::vector<interop::LightCacheTriangle> result;
     result.reserve(data.triangle_infos.size());
     std::uint64_t first = 0;
     for (std::size_t t = 0; t < data.triangle_infos.size(); ++t) {
-        const interop::BvhTriangle& corners = data.bvh.triangles[t];
-        std::uint64_t edge = 0;
-        if (is_diffuse(data.materials[data.triangle_infos[t].material])) {
-            const double longest = std::max({glm::distance(glm::dvec3(corners.v0), glm::dvec3(corners.v1)),
-                                             glm::distance(glm::dvec3(corners.v1), glm::dvec3(corners.v2)),
-                                             glm::distance(glm::dvec3(corners.v2), glm::dvec3(corners.v0))});
-            edge = static_cast<std::uint64_t>(std::clamp(std::ceil(longest / spacing), 1.0, kMostIntervals));
-        }
-        result.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(edge)});
-        first += lattice_points(edge);
+        const bool keeps_light = is_diffuse(data.materials[data.triangle_infos[t].material]);
+        result.push_back(keeps_light ? plan_rows(data.bvh.triangles[t], spacing)
+                                     : interop::LightCacheTriangle{0, 0, 1, 0});
+        result.back().first_point = static_cast<std::uint32_t>(first);
+        first += lattice_points(result.back());
     }
     return result;
+}
+
+/// Summing more lights than this at every point would cost more than sampling them.
+constexpr std::size_t kMostSummedLights = 64;
+
+/// Whether all lights of a scene have a closed form: textured ones have none.
+bool sums_lights(const SceneData& data) {
+    const auto is_textured = [&](const interop::LightInfo& light) {
+        return light.type == interop::LIGHT_TRIANGLE &&
+               data.materials[data.triangle_infos[light.triangle].material].emissive_texture.texture !=
+                   interop::NONE;
+    };
+    return data.lights.size() <= kMostSummedLights &&
+           std::none_of(data.lights.begin(), data.lights.end(), is_textured);
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -62,7 +91,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 std::uint64_t light_cache_points(const std::vector<interop::LightCacheTriangle>& plan) {
     std::uint64_t count = 0;
     for (const interop::LightCacheTriangle& triangle : plan)
-        count += lattice_points(triangle.edge);
+        count += lattice_points(triangle);
     return count;
 }
 
@@ -80,27 +109,41 @@ std::vector<interop::LightCacheTriangle> plan_light_cache(const SceneData& data,
 }
 
 LightCache::LightCache(Device& device, const SceneData& data, const LightCacheSettings& settings)
-    : LightCache(device, settings,
+    : LightCache(device, settings, sums_lights(data),
                  plan_light_cache(data, settings.spacing,
                                   device.summary().storage_range_bytes / sizeof(interop::LightCachePoint))) {}
 
-LightCache::LightCache(Device& device, const LightCacheSettings& settings,
+LightCache::LightCache(Device& device, const LightCacheSettings& settings, bool sums_lights,
                        const std::vector<interop::LightCacheTriangle>& plan)
     : device_(&device),
       settings_(settings),
+      sums_lights_(sums_lights),
       scene_triangles_(static_cast<std::uint32_t>(plan.size())),
       points_(light_cache_points(plan)),
       triangles_(make_buffer<interop::LightCacheTriangle>(device, plan, "triangles of the light cache")),
       light_(device, std::max<std::uint64_t>(1, points_) * sizeof(interop::LightCachePoint), "light cache"),
       counters_(device, sizeof(interop::Counters), "light cache counters") {}
 
-FrameCounts LightCache::fill(const GpuScene& scene, std::uint32_t seed, double& seconds_to_compile,
-                             Progress& progress) {
+void LightCache::fill(const GpuScene& scene, std::uint32_t seed, FilledLight& filled, Progress& progress) {
+    if (points_ == 0) return;
+    if (filled.points.empty()) {
+        simulate(scene, seed, filled, progress);
+        filled.points = light_.download_records<interop::LightCachePoint>(points_);
+        return;
+    }
+    UTSURI_CHECK_EQ(filled.points.size(), points_);
+    light_.upload(std::as_bytes(std::span(filled.points)));
+}
+
+void LightCache::simulate(const GpuScene& scene, std::uint32_t seed, FilledLight& filled,
+                          Progress& progress) {
     Bindings bindings = scene.bindings();
     bindings.merge(this->bindings());
     bindings[interop::BINDING_COUNTERS] = &counters_;
-    const auto start = std::chrono::steady_clock::now();
-    const Kernel kernel(*device_, "fill_light_cache", kernels::fill_light_cache, scene.specialization(),
+    auto start = std::chrono::steady_clock::now();
+    Specialization specialization = scene.specialization();
+    specialization[interop::SPEC_SUMS_LIGHTS] = sums_lights_ ? 1 : 0;
+    const Kernel kernel(*device_, "fill_light_cache", kernels::fill_light_cache, specialization,
                         sizeof(interop::LightCachePush));
     const BindingSet set = kernel.bind(bindings);
     interop::LightCachePush push{};
@@ -110,37 +153,34 @@ FrameCounts LightCache::fill(const GpuScene& scene, std::uint32_t seed, double& 
     // Drivers may compile at the first dispatch; this one has no point to work on.
     device_->run("compile a kernel",
                  [&](const vk::raii::CommandBuffer& commands) { kernel.dispatch(commands, set, push, 1); });
-    seconds_to_compile = seconds_since(start);
+    filled.compile_seconds = seconds_since(start);
 
-    FrameCounts counts;
+    start = std::chrono::steady_clock::now();
+    filled.counts = {};
     DispatchBudget budget;
-    light_.fill_with_zero();
-    const std::uint32_t samples = std::min(settings_.samples, kMostSamplesPerDispatch);
     for (std::uint64_t first = 0; first < points_; first = push.end_point) {
         if (progress.cancelled()) throw Interrupted();
-        const std::uint64_t fitting =
-            std::clamp<std::uint64_t>(budget.next_units() / samples, kGroupSize, kMostPointsPerDispatch);
+        const std::uint64_t fitting = std::clamp<std::uint64_t>(budget.next_units() / settings_.samples,
+                                                                kGroupSize, kMostPointsPerDispatch);
         push.first_point = static_cast<std::uint32_t>(first);
         push.end_point = static_cast<std::uint32_t>(std::min(points_, first + fitting));
-        for (push.sample_begin = 0; push.sample_begin < settings_.samples;
-             push.sample_begin = push.sample_end) {
-            push.sample_end = std::min(push.sample_begin + samples, settings_.samples);
-            accumulate(counts, add_samples(kernel, set, push, budget));
-        }
+        const FrameCounts counts = simulate_points(kernel, set, push);
+        budget.record(std::uint64_t{push.end_point - push.first_point} * settings_.samples,
+                      counts.gpu_seconds);
+        accumulate(filled.counts, counts);
         progress.update(static_cast<double>(push.end_point), static_cast<double>(points_));
     }
-    return counts;
+    filled.seconds = seconds_since(start);
 }
 
-FrameCounts LightCache::add_samples(const Kernel& kernel, const BindingSet& set,
-                                    const interop::LightCachePush& push, DispatchBudget& budget) {
+FrameCounts LightCache::simulate_points(const Kernel& kernel, const BindingSet& set,
+                                        const interop::LightCachePush& push) {
     const std::uint32_t points = push.end_point - push.first_point;
     counters_.fill_with_zero();
     FrameCounts counts;
     counts.gpu_seconds = device_->run("fill the light cache", [&](const vk::raii::CommandBuffer& commands) {
         kernel.dispatch(commands, set, push, (points + kGroupSize - 1) / kGroupSize);
     });
-    budget.record(std::uint64_t{points} * (push.sample_end - push.sample_begin), counts.gpu_seconds);
     const auto totals = counters_.download_records<interop::Counters>(1).front();
     if (totals.incomplete > 0) {
         throw DeviceError("fill the light cache", device_->summary().name,

@@ -18,7 +18,20 @@ namespace utsuri {
 struct LightCacheSettings {
     /// Distance of neighbouring points, at most, as a share of the diagonal of the scene's bounds, > 0.
     double spacing = 1.0 / 300.0;
-    std::uint32_t samples = 16;  ///< per point and side, >= 1
+    /// Per point and side, in [1, kMostLightSamples]; fewer where the first ones agree.
+    std::uint32_t samples = 64;
+};
+
+/// Bounded by what an invocation may do: see kQueriesPerInvocation in film_kernel.cpp.
+inline constexpr std::uint32_t kMostLightSamples = 256;
+
+/// Light once simulated, on the host, and what that took: several methods of a comparison share it.
+struct FilledLight {
+    LightCacheSettings settings;
+    std::vector<interop::LightCachePoint> points;  ///< empty until filled
+    FrameCounts counts;
+    double seconds = 0.0;          ///< wall time, pipeline excluded
+    double compile_seconds = 0.0;  ///< pipeline
 };
 
 /// Where light is kept: a lattice over each triangle that has a diffuse part, fine enough for `spacing`, and
@@ -37,23 +50,23 @@ class LightCache {
     /// @throws DeviceError if it does not fit
     LightCache(Device& device, const SceneData& data, const LightCacheSettings& settings);
 
-    /// Simulates direct light at every point.
-    /// @param seconds_to_compile is set to the time of the pipeline
+    /// Takes the light from `filled`, after simulating it there at every point if that was not done yet.
     /// @throws Interrupted if progress says so
-    FrameCounts fill(const GpuScene& scene, std::uint32_t seed, double& seconds_to_compile,
-                     Progress& progress);
+    void fill(const GpuScene& scene, std::uint32_t seed, FilledLight& filled, Progress& progress);
 
     [[nodiscard]] std::uint64_t points() const { return points_; }
     [[nodiscard]] Bindings bindings() const;
 
   private:
-    LightCache(Device& device, const LightCacheSettings& settings,
+    LightCache(Device& device, const LightCacheSettings& settings, bool sums_lights,
                const std::vector<interop::LightCacheTriangle>& plan);
-    FrameCounts add_samples(const Kernel& kernel, const BindingSet& set, const interop::LightCachePush& push,
-                            DispatchBudget& budget);
+    void simulate(const GpuScene& scene, std::uint32_t seed, FilledLight& filled, Progress& progress);
+    FrameCounts simulate_points(const Kernel& kernel, const BindingSet& set,
+                                const interop::LightCachePush& push);
 
     Device* device_;
     LightCacheSettings settings_;
+    bool sums_lights_;
     std::uint32_t scene_triangles_;
     std::uint64_t points_;
     Buffer triangles_;

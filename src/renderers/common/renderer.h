@@ -39,6 +39,8 @@ class Renderer {
     /// Captures maps, compiles pipelines: all that is done once before the first sample.
     /// @throws Interrupted if progress says so
     virtual void prepare(Progress& progress) = 0;
+    /// Moves the eye; what was prepared stays.
+    virtual void look_from(const Camera& camera) = 0;
     /// Adds `count` samples to each pixel of the film, or fewer if progress says so. The same picture results
     /// from any split of the samples over calls. prepare() comes first.
     void add_samples(Film& film, std::uint32_t count, Progress& progress);

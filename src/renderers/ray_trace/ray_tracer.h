@@ -9,17 +9,20 @@ namespace utsuri {
 /// direct/trace: direct light with shadows, perfect mirrors followed ray by ray.
 class RayTracer : public Renderer {
   public:
-    /// `device` and `scene` must outlive this.
-    RayTracer(Device& device, const GpuScene& scene, const interop::CameraInfo& camera,
+    /// `device`, `data` and `scene` must outlive this.
+    RayTracer(Device& device, const SceneData& data, const GpuScene& scene, const Camera& camera,
               const RenderSettings& settings);
 
     void prepare(Progress& progress) override;
+    void look_from(const Camera& camera) override;
 
   protected:
     FrameCounts render(Film& film, std::uint32_t count, Progress& progress) override;
 
   private:
     Device& device_;
+    const SceneData& data_;
+    RenderSettings settings_;
     FrameSettings frame_;
     FilmKernel kernel_;
 };

@@ -5,7 +5,9 @@
 #include "base/sampler.h"
 
 #include "interop/bindings.h"
+#include "interop/specialization.h"
 #include "kernels/add_drawn.h"
+#include "kernels/draw_depth_vert.h"
 #include "kernels/draw_scene_frag.h"
 #include "kernels/draw_scene_vert.h"
 
@@ -43,9 +45,15 @@ std::uint32_t rows_of_bands(const Device& device, std::uint32_t width, std::uint
 }  // namespace
 
 FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
-                         const Bindings& bindings, std::uint32_t width, std::uint32_t height)
+                         const Bindings& bindings, const ReflectorDrawer& reflectors, std::uint32_t width,
+                         std::uint32_t height)
+    : FrameDrawer(device, data, plan_draws(data), specialization, bindings, reflectors, width, height) {}
+
+FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& list,
+                         const Specialization& specialization, const Bindings& bindings,
+                         const ReflectorDrawer& reflectors, std::uint32_t width, std::uint32_t height)
     : device_(checked(device)),
-      triangles_(static_cast<std::uint32_t>(data.bvh.triangles.size())),
+      reflectors_(reflectors),
       near_plane_(static_cast<float>(kNearShare * glm::length(glm::dvec3(data.bounds.extent())))),
       background_(background(data)),
       colour_(device, width, height, kColourFormat, "drawn picture"),
@@ -53,24 +61,60 @@ FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const Specializa
       drawn_(device, std::uint64_t{width} * rows_of_bands(device, width, height) * sizeof(glm::vec4),
              "drawn rows"),
       counters_(device, sizeof(interop::Counters), "drawing counters"),
-      pipeline_(device, "draw_scene", kernels::draw_scene_vert, kernels::draw_scene_frag, specialization,
-                sizeof(interop::RasterPush)),
-      pipeline_bindings_(pipeline_.bind(bindings)),
+      triangles_(make_buffer<std::uint32_t>(device, list.triangles, "draw list")),
+      triangle_count_(static_cast<std::uint32_t>(list.triangles.size())),
+      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::RasterPush)),
+      depth_bindings_(depth_pass_.bind(with_draw_list(bindings))),
+      batches_(make_batches(list.batches, specialization, bindings)),
       add_kernel_(device, "add_drawn", kernels::add_drawn, {}, sizeof(interop::AddDrawnPush)) {}
 
-void FrameDrawer::warm_up() {
-    draw({}, std::min(triangles_, 1u), nullptr, {});
+Bindings FrameDrawer::with_draw_list(Bindings bindings) const {
+    bindings[interop::BINDING_DRAW_LIST] = &triangles_;
+    return bindings;
 }
 
-double FrameDrawer::draw(const interop::RasterPush& push, std::uint32_t triangles, const Film* film,
+std::vector<FrameDrawer::Batch> FrameDrawer::make_batches(const std::vector<DrawBatch>& planned,
+                                                          const Specialization& specialization,
+                                                          const Bindings& bindings) {
+    std::vector<Batch> batches;
+    for (const DrawBatch& batch : planned) {
+        Specialization constants = specialization;
+        constants[interop::SPEC_HAS_TEXTURES] = batch.features.textured ? 1 : 0;
+        constants[interop::SPEC_HAS_GLOSSY] = batch.features.glossy ? 1 : 0;
+        RasterPipeline pipeline(device_, "draw_scene", kernels::draw_scene_vert, kernels::draw_scene_frag,
+                                constants, sizeof(interop::RasterPush), DepthState{DepthTest::equal, 0.0f});
+        BindingSet set = pipeline.bind(with_draw_list(bindings));
+        batches.push_back({std::move(pipeline), std::move(set), batch.first, batch.count});
+    }
+    return batches;
+}
+
+void FrameDrawer::warm_up() {
+    const interop::RasterPush nothing{};
+    device_.run("compile pipelines", [&](const vk::raii::CommandBuffer& commands) {
+        draw_into(commands, colour_, depth_, background_, [&] {
+            if (triangle_count_ > 0) depth_pass_.draw(commands, depth_bindings_, nothing, 0, 1);
+            reflectors_.warm_up(commands);
+            for (const Batch& batch : batches_)
+                batch.pipeline.draw(commands, batch.bindings, nothing, batch.first, 1);
+        });
+    });
+}
+
+double FrameDrawer::draw(const interop::RasterPush& push, const Film& film,
                          const std::vector<BindingSet>& sets) {
     return device_.run("draw the scene", [&](const vk::raii::CommandBuffer& commands) {
-        draw_into(commands, colour_, depth_, background_,
-                  [&] { pipeline_.draw(commands, pipeline_bindings_, push, triangles); });
+        draw_into(commands, colour_, depth_, background_, [&] {
+            // Depth first: a pixel shades only what it shows.
+            depth_pass_.draw(commands, depth_bindings_, push, 0, triangle_count_);
+            reflectors_.draw(commands, push);
+            for (const Batch& batch : batches_)
+                batch.pipeline.draw(commands, batch.bindings, push, batch.first, batch.count);
+        });
         for (std::size_t i = 0; i < sets.size(); ++i) {
-            const Film::Band& band = film->bands()[i];
+            const Film::Band& band = film.bands()[i];
             colour_.copy_rows(commands, band.first_row, band.rows, drawn_);
-            const interop::AddDrawnPush add{film->width() * band.rows, push.sample_index};
+            const interop::AddDrawnPush add{film.width() * band.rows, push.sample_index};
             add_kernel_.dispatch(commands, sets[i], add, (add.pixels + 63) / 64);
         }
     });
@@ -94,7 +138,7 @@ FrameCounts FrameDrawer::add_samples(Film& film, const interop::CameraInfo& came
     for (std::uint32_t done = 0; done < count && !progress.cancelled(); ++done) {
         push.sample_index = film.samples();
         push.jitter = sample_2d(sampler_key({0, 0}, seed, push.sample_index & 1u), push.sample_index >> 1, 0);
-        counts.gpu_seconds += draw(push, triangles_, &film, sets);
+        counts.gpu_seconds += draw(push, film, sets);
         film.note_samples(1);
         progress.update(done + 1, count);
     }

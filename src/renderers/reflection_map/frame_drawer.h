@@ -5,6 +5,8 @@
 #include "renderers/common/film_kernel.h"
 #include "renderers/common/gpu_scene.h"
 #include "renderers/common/scene_data.h"
+#include "renderers/reflection_map/draw_list.h"
+#include "renderers/reflection_map/reflector_drawer.h"
 
 #include "base/progress.h"
 #include "gpu/raster_pipeline.h"
@@ -21,9 +23,11 @@ namespace utsuri {
 class FrameDrawer {
   public:
     /// @param bindings of scene, light cache and maps
+    /// @param reflectors draws what is reflective; must outlive this
     /// @throws DeviceError if the device cannot draw pictures of this size
     FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
-                const Bindings& bindings, std::uint32_t width, std::uint32_t height);
+                const Bindings& bindings, const ReflectorDrawer& reflectors, std::uint32_t width,
+                std::uint32_t height);
 
     /// Makes the driver compile what add_samples() needs.
     void warm_up();
@@ -33,19 +37,35 @@ class FrameDrawer {
                             std::uint32_t count, Progress& progress);
 
   private:
-    double draw(const interop::RasterPush& push, std::uint32_t triangles, const Film* film,
-                const std::vector<BindingSet>& sets);
+    /// One pipeline and the triangles it draws.
+    struct Batch {
+        RasterPipeline pipeline;
+        BindingSet bindings;
+        std::uint32_t first;
+        std::uint32_t count;
+    };
+
+    FrameDrawer(Device& device, const SceneData& data, const DrawList& list,
+                const Specialization& specialization, const Bindings& bindings,
+                const ReflectorDrawer& reflectors, std::uint32_t width, std::uint32_t height);
+    [[nodiscard]] Bindings with_draw_list(Bindings bindings) const;
+    std::vector<Batch> make_batches(const std::vector<DrawBatch>& planned,
+                                    const Specialization& specialization, const Bindings& bindings);
+    double draw(const interop::RasterPush& push, const Film& film, const std::vector<BindingSet>& sets);
 
     Device& device_;
-    std::uint32_t triangles_;
+    const ReflectorDrawer& reflectors_;
     float near_plane_;
     std::array<float, 4> background_;
     Attachment colour_;
     Attachment depth_;
     Buffer drawn_;
     Buffer counters_;
-    RasterPipeline pipeline_;
-    BindingSet pipeline_bindings_;
+    Buffer triangles_;
+    std::uint32_t triangle_count_;
+    RasterPipeline depth_pass_;
+    BindingSet depth_bindings_;
+    std::vector<Batch> batches_;
     Kernel add_kernel_;
 };
 

@@ -3,88 +3,88 @@
 
 #include "renderers/common/frame_camera.h"
 
-#include "interop/bindings.h"
 #include "interop/specialization.h"
-#include "kernels/polygon_map.h"
-#include "kernels/reflect_vertices.h"
-#include "kernels/sphere_map.h"
 
 #include <chrono>
 
 namespace utsuri {
 namespace {
 
-std::span<const std::uint32_t> kernel_code(MapKind kind) {
-    if (kind == MapKind::polygon) return kernels::polygon_map;
-    return kernels::sphere_map;
-}
-
 Specialization with_map_size(Specialization specialization, std::uint32_t size) {
     specialization[interop::SPEC_MAP_SIZE] = size;
     return specialization;
 }
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 }  // namespace
 
-MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& scene, const Camera& camera,
-                         MapKind kind, const RenderSettings& settings, const MapSettings& map_settings)
+MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
+                         const Camera& camera, MapKind kind, const RenderSettings& settings,
+                         const MapSettings& map_settings)
     : device_(device),
+      data_(data),
       scene_(scene),
+      filled_light_(light),
       camera_(camera),
+      kind_(kind),
       settings_(settings),
-      eye_(glm::vec3(camera.position - data.origin)),
       maps_(device, data, kind, map_settings),
-      vertices_(
-          make_buffer<interop::ReflectorVertex>(device, maps_.reflectors().vertices, "reflector vertices")),
-      vertex_reflections_(
-          device,
-          std::max<std::size_t>(1, maps_.reflectors().vertices.size()) * sizeof(interop::VertexReflection),
-          "vertex reflections"),
-      vertex_kernel_(device, "reflect_vertices", kernels::reflect_vertices, {},
-                     sizeof(interop::ReflectVerticesPush)),
-      vertex_bindings_(vertex_kernel_.bind({{interop::BINDING_REFLECTOR_VERTICES, &vertices_},
-                                            {interop::BINDING_VERTEX_REFLECTIONS, &vertex_reflections_}})),
-      // Reflections are looked up: no chain is followed.
-      frame_{make_camera_info(camera, data.origin, settings.width, settings.height), settings.seed, 0,
-             interop::NONE},
-      kernel_(device, kind == MapKind::polygon ? "polygon_map" : "sphere_map", kernel_code(kind),
-              with_map_size(scene.specialization(), map_settings.size), all_bindings()) {}
+      light_cache_(device, data, light.settings),
+      reflectors_(device, data, maps_.reflectors(), kind, maps_.faces(), map_settings.most_cut_pieces,
+                  with_map_size(scene.specialization(), map_settings.size), drawing_bindings()),
+      drawer_(device, data, with_map_size(scene.specialization(), map_settings.size), drawing_bindings(),
+              reflectors_, settings.width, settings.height) {}
 
-Bindings MapRenderer::all_bindings() const {
+Bindings MapRenderer::drawing_bindings() const {
     Bindings bindings = scene_.bindings();
+    bindings.merge(light_cache_.bindings());
     bindings.merge(maps_.bindings());
-    bindings[interop::BINDING_VERTEX_REFLECTIONS] = &vertex_reflections_;
     return bindings;
 }
 
 void MapRenderer::prepare(Progress& progress) {
-    Film scratch(device_, interop::TILE_SIZE, interop::TILE_SIZE, "warm-up film");
-    statistics_.compile_seconds += kernel_.warm_up(scratch);
-    const auto start = std::chrono::steady_clock::now();
+    auto start = std::chrono::steady_clock::now();
+    drawer_.warm_up();
+    reflect();
+    statistics_.compile_seconds += seconds_since(start);
+
+    light_cache_.fill(scene_, settings_.seed, filled_light_, progress);
+    // Light that another renderer filled counts as if it had been filled here.
+    statistics_.prepare_seconds += filled_light_.seconds;
+    statistics_.compile_seconds += filled_light_.compile_seconds;
+    accumulate(statistics_.prepare_counts, filled_light_.counts);
+
+    start = std::chrono::steady_clock::now();
     double capture_compile_seconds = 0.0;
     accumulate(statistics_.prepare_counts,
-               maps_.capture(scene_, camera_, settings_, capture_compile_seconds, progress));
-    const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    statistics_.prepare_seconds += total - capture_compile_seconds;
+               maps_.capture(scene_, light_cache_, camera_, settings_, capture_compile_seconds, progress));
+    statistics_.prepare_seconds += seconds_since(start) - capture_compile_seconds;
     statistics_.compile_seconds += capture_compile_seconds;
 }
 
-double MapRenderer::reflect_vertices() {
-    interop::ReflectVerticesPush push{};
-    push.eye = eye_;
-    push.right = glm::vec3(camera_.right);
-    push.up = glm::vec3(camera_.up);
-    push.forward = glm::vec3(camera_.forward);
-    push.count = static_cast<std::uint32_t>(maps_.reflectors().vertices.size());
-    if (push.count == 0) return 0.0;
-    return device_.run("reflect vertices", [&](const vk::raii::CommandBuffer& commands) {
-        vertex_kernel_.dispatch(commands, vertex_bindings_, push, (push.count + 63) / 64);
-    });
+void MapRenderer::look_from(const Camera& camera) {
+    camera_ = camera;
+    eye_moved_ = true;
+}
+
+double MapRenderer::reflect() {
+    interop::ReflectVerticesPush eye{};
+    eye.eye = glm::vec3(camera_.position - data_.origin);
+    eye.right = glm::vec3(camera_.right);
+    eye.up = glm::vec3(camera_.up);
+    eye.forward = glm::vec3(camera_.forward);
+    eye_moved_ = false;
+    return reflectors_.look_from(eye);
 }
 
 FrameCounts MapRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
-    const double vertex_seconds = reflect_vertices();
-    FrameCounts counts = kernel_.add_samples(film, frame_, count, progress);
+    const double vertex_seconds = eye_moved_ ? reflect() : 0.0;
+    const interop::CameraInfo camera =
+        make_camera_info(camera_, data_.origin, settings_.width, settings_.height);
+    FrameCounts counts = drawer_.add_samples(film, camera, settings_.seed, count, progress);
     counts.gpu_seconds += vertex_seconds;
     return counts;
 }

@@ -1,42 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/common/light_cache.h"
+#include "renderers/reflection_map/frame_drawer.h"
 #include "renderers/reflection_map/reflection_maps.h"
+
+#include <optional>
 
 namespace utsuri {
 
-/// direct/polygon-map and direct/sphere-map: what the first hit reflects is looked up in maps captured
-/// beforehand.
+/// The methods that look reflections up in maps: the scene drawn by the raster pipeline, lit from light kept
+/// on its surfaces, with what they reflect looked up in maps; all of that is made beforehand.
 class MapRenderer : public Renderer {
   public:
-    /// `device`, `data` and `scene` must outlive this.
-    MapRenderer(Device& device, const SceneData& data, const GpuScene& scene, const Camera& camera,
-                MapKind kind, const RenderSettings& settings, const MapSettings& map_settings);
+    /// `device`, `data`, `scene` and `light` must outlive this.
+    /// @param light is filled by the first renderer that needs it
+    MapRenderer(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
+                const Camera& camera, MapKind kind, const RenderSettings& settings,
+                const MapSettings& map_settings);
 
     void prepare(Progress& progress) override;
 
+    /// Moves the eye: all that it costs is the pass over the reflectors' vertices and the drawing. A sphere
+    /// map stays turned the way the first eye looked.
+    void look_from(const Camera& camera) override;
+
     [[nodiscard]] const ReflectionMaps& maps() const { return maps_; }
+    [[nodiscard]] const ReflectorDrawer& reflectors() const { return reflectors_; }
 
   protected:
     FrameCounts render(Film& film, std::uint32_t count, Progress& progress) override;
 
   private:
-    [[nodiscard]] Bindings all_bindings() const;
-    /// The pass over the reflectors' vertices, which is all that a moving eye costs besides the picture.
-    double reflect_vertices();
+    [[nodiscard]] Bindings drawing_bindings() const;
+    /// The pass over the reflectors' polygons for the present eye.
+    double reflect();
 
     Device& device_;
+    const SceneData& data_;
     const GpuScene& scene_;
+    FilledLight& filled_light_;
     Camera camera_;
+    bool eye_moved_ = true;
+    MapKind kind_;
     RenderSettings settings_;
-    glm::vec3 eye_;
     ReflectionMaps maps_;
-    Buffer vertices_;
-    Buffer vertex_reflections_;
-    Kernel vertex_kernel_;
-    BindingSet vertex_bindings_;
-    FrameSettings frame_;
-    FilmKernel kernel_;
+    LightCache light_cache_;
+    ReflectorDrawer reflectors_;
+    FrameDrawer drawer_;
 };
 
 }  // namespace utsuri

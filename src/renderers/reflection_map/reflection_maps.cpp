@@ -2,13 +2,14 @@
 #include "renderers/reflection_map/reflection_maps.h"
 
 #include "renderers/reflection_map/capture_point.h"
+#include "renderers/reflection_map/proxy_box.h"
 
 #include "base/error.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/resolve_map.h"
-#include "kernels/trace_direct.h"
+#include "kernels/trace_cached.h"
 
 #include <fmt/format.h>
 
@@ -42,22 +43,39 @@ std::uint64_t total_texels(const Device& device, std::size_t reflectors, std::ui
 }
 
 std::vector<interop::ReflectorInfo> place_reflectors(const SceneData& data, const Reflectors& reflectors,
-                                                     std::uint32_t maps, const MapSettings& settings) {
+                                                     MapKind kind, std::uint32_t maps,
+                                                     const MapSettings& settings) {
     std::vector<interop::ReflectorInfo> infos;
     std::uint64_t first_texel = 0;
     for (const std::uint32_t instance : reflectors.instances) {
         const glm::dvec3 point = settings.capture_point ? *settings.capture_point - data.origin
                                                         : find_capture_point(data, instance);
-        infos.push_back({glm::vec3(point), static_cast<std::uint32_t>(first_texel)});
+        Bounds proxy;
+        if (kind == MapKind::proxy) proxy = fit_proxy_box(data, instance, point);
+        infos.push_back(
+            {glm::vec3(point), static_cast<std::uint32_t>(first_texel), proxy.lower, proxy.upper});
         first_texel += maps * texels_per_map(settings.size);
     }
     return infos;
 }
 
-glm::vec3 axis(std::uint32_t index) {
-    glm::vec3 result(0.0f);
-    result[static_cast<int>(index % 3)] = 1.0f;
-    return result;
+Reflectors fine_reflectors(const SceneData& data, const PolygonRefinement& refinement) {
+    Reflectors reflectors = find_reflectors(data);
+    if (reflectors.triangles.size() > kMostReflectorPolygons) {
+        throw UsageError(
+            "draw reflective objects", fmt::format("of {} polygons", reflectors.triangles.size()),
+            fmt::format("at most {} can be drawn; use --reflection trace", kMostReflectorPolygons));
+    }
+    refine(reflectors, refinement);
+    return reflectors;
+}
+
+std::vector<interop::MapFace> faces_of(MapKind kind, const Polyhedron& polyhedron) {
+    std::vector<interop::MapFace> faces;
+    if (kind == MapKind::sphere) return faces;
+    for (std::size_t i = 0; i < polyhedron.planes.size(); ++i)
+        faces.push_back(map_face(polyhedron, i));
+    return faces;
 }
 
 }  // namespace
@@ -67,12 +85,10 @@ ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind ki
     : device_(&device),
       kind_(kind),
       settings_(settings),
-      reflectors_(find_reflectors(data)),
-      infos_(place_reflectors(data, reflectors_, maps_per_reflector(), settings)),
-      instance_reflectors_(
-          make_buffer<std::uint32_t>(device, reflectors_.instance_reflectors, "reflector of each instance")),
+      reflectors_(fine_reflectors(data, settings.refinement)),
+      faces_(faces_of(kind, settings.polyhedron)),
+      infos_(place_reflectors(data, reflectors_, kind, maps_per_reflector(), settings)),
       reflector_infos_(make_buffer<interop::ReflectorInfo>(device, infos_, "reflectors")),
-      vertex_slots_(make_buffer<std::uint32_t>(device, reflectors_.vertex_slots, "slot of each vertex")),
       texels_(
           device,
           std::max<std::uint64_t>(1, total_texels(device, infos_.size(), maps_per_reflector(), settings)) *
@@ -91,23 +107,29 @@ interop::CameraInfo ReflectionMaps::map_camera(std::uint32_t reflector, std::uin
         camera.forward = glm::vec3(eye.forward);
         return camera;
     }
-    const std::uint32_t along = face / 2;
-    camera.right = edge * axis(along + 1);
-    camera.up = edge * axis(along + 2);
-    camera.forward = (face % 2 == 0 ? 1.0f : -1.0f) * axis(along);
+    const FacePicture picture = face_picture(settings_.polyhedron, face);
+    camera.right = edge * glm::vec3(picture.right);
+    camera.up = edge * glm::vec3(picture.up);
+    camera.forward = glm::vec3(picture.centre);
     return camera;
 }
 
-FrameCounts ReflectionMaps::capture(const GpuScene& scene, const Camera& eye, const RenderSettings& settings,
-                                    double& seconds_to_compile, Progress& progress) {
+std::uint32_t ReflectionMaps::maps_per_reflector() const {
+    return kind_ == MapKind::sphere ? 1 : static_cast<std::uint32_t>(faces_.size());
+}
+
+FrameCounts ReflectionMaps::capture(const GpuScene& scene, const LightCache& light, const Camera& eye,
+                                    const RenderSettings& settings, double& seconds_to_compile,
+                                    Progress& progress) {
     FrameCounts counts;
     if (infos_.empty()) return counts;
     Specialization specialization = scene.specialization();
     specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
     specialization[interop::SPEC_PROJECTION] =
-        kind_ == MapKind::polygon ? interop::PROJECTION_PERSPECTIVE : interop::PROJECTION_SPHERE_MAP;
-    FilmKernel tracer(*device_, "trace_direct for maps", kernels::trace_direct, specialization,
-                      scene.bindings());
+        kind_ == MapKind::sphere ? interop::PROJECTION_SPHERE_MAP : interop::PROJECTION_PERSPECTIVE;
+    Bindings bindings = scene.bindings();
+    bindings.merge(light.bindings());
+    FilmKernel tracer(*device_, "trace_cached", kernels::trace_cached, specialization, bindings);
     const Kernel resolver(*device_, "resolve_map", kernels::resolve_map, {}, sizeof(interop::ResolveMapPush));
     Film film(*device_, stride(), stride(), "map film");
     seconds_to_compile = tracer.warm_up(film);
@@ -144,10 +166,7 @@ FrameCounts ReflectionMaps::capture(const GpuScene& scene, const Camera& eye, co
 }
 
 Bindings ReflectionMaps::bindings() const {
-    return {{interop::BINDING_INSTANCE_REFLECTORS, &instance_reflectors_},
-            {interop::BINDING_REFLECTORS, &reflector_infos_},
-            {interop::BINDING_VERTEX_SLOTS, &vertex_slots_},
-            {interop::BINDING_MAP_TEXELS, &texels_}};
+    return {{interop::BINDING_REFLECTORS, &reflector_infos_}, {interop::BINDING_MAP_TEXELS, &texels_}};
 }
 
 Image ReflectionMaps::map(std::uint32_t reflector, std::uint32_t face) const {

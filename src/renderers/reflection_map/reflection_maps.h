@@ -3,7 +3,10 @@
 
 #include "renderers/common/film_kernel.h"
 #include "renderers/common/gpu_scene.h"
+#include "renderers/common/light_cache.h"
 #include "renderers/common/renderer.h"
+#include "renderers/reflection_map/polyhedron.h"
+#include "renderers/reflection_map/reflector_drawer.h"
 #include "renderers/reflection_map/reflectors.h"
 
 #include "base/progress.h"
@@ -16,15 +19,15 @@
 
 namespace utsuri {
 
-enum class MapKind {
-    polygon,  ///< a cube of maps in world space
-    sphere    ///< one OpenGL 1.x sphere map in eye space
-};
-
 struct MapSettings {
-    std::uint32_t size = 256;                 ///< texels along an edge of a map, [1, 4096]
-    std::uint32_t samples = 16;               ///< per texel, >= 1
-    std::optional<glm::dvec3> capture_point;  ///< world space; each reflector's own if not set
+    std::uint32_t size = 256;                                ///< texels along an edge of a map, [1, 4096]
+    std::uint32_t samples = 16;                              ///< per texel, >= 1
+    std::optional<glm::dvec3> capture_point = std::nullopt;  ///< world space; each reflector's own if not set
+    Polyhedron polyhedron = cube();                          ///< of polygon maps
+    PolygonRefinement refinement = {};
+    /// Pieces of polygons cut along its faces that there is room for; polygons whose pieces find none are
+    /// drawn whole, their faces found per pixel. Follows from the number of polygons if not set.
+    std::optional<std::uint32_t> most_cut_pieces = std::nullopt;
 };
 
 /// Maps captured for every reflective instance by the tracing kernel, without the instance itself.
@@ -35,10 +38,11 @@ class ReflectionMaps {
     ReflectionMaps(Device& device, const SceneData& data, MapKind kind, const MapSettings& settings);
 
     /// Renders the maps.
+    /// @param light filled
     /// @param eye whose axes orient sphere maps
     /// @param seconds_to_compile is set to the time of the capturing pipeline
-    FrameCounts capture(const GpuScene& scene, const Camera& eye, const RenderSettings& settings,
-                        double& seconds_to_compile, Progress& progress);
+    FrameCounts capture(const GpuScene& scene, const LightCache& light, const Camera& eye,
+                        const RenderSettings& settings, double& seconds_to_compile, Progress& progress);
 
     [[nodiscard]] const Reflectors& reflectors() const { return reflectors_; }
     [[nodiscard]] const std::vector<interop::ReflectorInfo>& infos() const { return infos_; }
@@ -46,7 +50,9 @@ class ReflectionMaps {
 
     /// The texels of one map, border included, as a picture.
     [[nodiscard]] Image map(std::uint32_t reflector, std::uint32_t face) const;
-    [[nodiscard]] std::uint32_t maps_per_reflector() const { return kind_ == MapKind::polygon ? 6 : 1; }
+    [[nodiscard]] std::uint32_t maps_per_reflector() const;
+    /// Of the polyhedron of maps; none for sphere maps.
+    [[nodiscard]] const std::vector<interop::MapFace>& faces() const { return faces_; }
 
   private:
     [[nodiscard]] std::uint32_t stride() const { return settings_.size + 2 * interop::MAP_BORDER; }
@@ -57,10 +63,9 @@ class ReflectionMaps {
     MapKind kind_;
     MapSettings settings_;
     Reflectors reflectors_;
+    std::vector<interop::MapFace> faces_;
     std::vector<interop::ReflectorInfo> infos_;
-    Buffer instance_reflectors_;
     Buffer reflector_infos_;
-    Buffer vertex_slots_;
     Buffer texels_;
 };
 

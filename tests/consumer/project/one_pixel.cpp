@@ -2,7 +2,6 @@
 // Renders one pixel through the installed library and compares it with its closed form: a Lambert surface of
 // albedo a under a directional light of E lux that arrives at angle t from the normal has the luminance a /
 // pi * E * cos t.
-#include "renderers/common/frame_camera.h"
 #include "renderers/common/gpu_scene.h"
 #include "renderers/ray_trace/ray_tracer.h"
 
@@ -55,11 +54,10 @@ double render_pixel(utsuri::Device& device) {
     const utsuri::Scene scene = lit_floor();
     const utsuri::SceneData data = utsuri::prepare_scene_data(scene);
     const utsuri::GpuScene gpu_scene(device, data);
-    const auto camera = utsuri::make_camera_info(scene.cameras.front(), data.origin, 1, 1);
     utsuri::RenderSettings settings;
     settings.width = 1;
     settings.height = 1;
-    utsuri::RayTracer tracer(device, gpu_scene, camera, settings);
+    utsuri::RayTracer tracer(device, data, gpu_scene, scene.cameras.front(), settings);
     utsuri::Film film(device, 1, 1, "pixel");
     utsuri::Progress silent;
     tracer.prepare(silent);

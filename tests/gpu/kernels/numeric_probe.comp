@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trigonometry, normalisation, bases, neighbouring floats and the cube of maps.
+// Trigonometry, normalisation, bases and neighbouring floats.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "probes.h"
-#include "lib/cube_map.glsl"
 #include "lib/frame.glsl"
+#include "lib/numeric.glsl"
 #include "lib/trigonometry.glsl"
 
 layout(local_size_x = 64) in;
@@ -26,7 +26,5 @@ void main() {
     answer.next = vec3(next_float_towards(query.vector.x, query.normal.x),
                        next_float_towards(query.vector.y, query.normal.y),
                        next_float_towards(query.vector.z, query.normal.z));
-    answer.face = cube_face(query.vector);
-    answer.position = cube_face_position(query.vector, answer.face);
     answers[index] = answer;
 }

@@ -130,9 +130,12 @@ TEST(ComparisonJson, SettingsOfMapsBelongToMethodsThatUseThem) {
     maps.capture_point = glm::dvec3(0.5, 1.0, -2.0);
     const Json json = comparison_to_json(comparison);
     EXPECT_EQ(keys(json["methods"][0]["settings"]), std::set<std::string>{"samples"});
-    EXPECT_EQ(
-        json["methods"][1]["settings"],
-        Json({{"samples", 4}, {"map_size", 64}, {"map_samples", 3}, {"capture_point", {0.5, 1.0, -2.0}}}));
+    EXPECT_EQ(json["methods"][1]["settings"], Json({{"samples", 4},
+                                                    {"map_size", 64},
+                                                    {"map_samples", 3},
+                                                    {"polyhedron", "cube"},
+                                                    {"faces", 6},
+                                                    {"capture_point", {0.5, 1.0, -2.0}}}));
     EXPECT_FALSE(json["methods"][2]["settings"].contains("capture_point"));
 }
 

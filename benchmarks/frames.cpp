@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a frame costs while the eye moves: every method's time to prepare and to render one frame, beside a
+// traced frame. Usage: bench_frames [--json FILE] [--device NAME] [--width W --height H] [--map-size N]
+// [--rounds N] SCENE ...
+#include "compare/method.h"
+#include "import/gltf.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace utsuri {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                     values.end());
+    return values[values.size() / 2];
+}
+
+/// Each round is one frame of one sample per pixel, from another place.
+Json measure_method(const Method& method, const RenderInput& input, const RenderSettings& settings,
+                    const MapSettings& maps, int rounds) {
+    Progress progress;
+    const auto renderer = make_renderer(method, input, settings, maps);
+    renderer->prepare(progress);
+    Film film(input.device, settings.width, settings.height, "benchmark film");
+    renderer->add_samples(film, 1, progress);
+    std::vector<double> seconds;
+    std::vector<double> gpu_seconds;
+    for (int round = 0; round < rounds; ++round) {
+        film.clear();
+        Camera camera = input.camera;
+        camera.position += 1e-3 * (round + 1) * camera.right;
+        renderer->look_from(camera);
+        const RenderStatistics before = renderer->statistics();
+        renderer->add_samples(film, 1, progress);
+        seconds.push_back(renderer->statistics().frame_seconds - before.frame_seconds);
+        gpu_seconds.push_back(renderer->statistics().counts.gpu_seconds - before.counts.gpu_seconds);
+    }
+    return {{"method", method_name(method)},
+            {"prepare_seconds", renderer->statistics().prepare_seconds},
+            {"compile_seconds", renderer->statistics().compile_seconds},
+            {"frame_ms", 1e3 * median(seconds)},
+            {"gpu_ms", 1e3 * median(gpu_seconds)}};
+}
+
+Json measure_scene(Device& device, const std::string& path, const RenderSettings& settings,
+                   const MapSettings& maps, int rounds) {
+    const Scene scene = import_gltf(path).scene;
+    const SceneData data = prepare_scene_data(scene);
+    const GpuScene gpu_scene(device, data);
+    FilledLight light;
+    const RenderInput input{device, data, gpu_scene, scene.cameras.front(), light};
+    Json result = {{"scene", std::filesystem::path(path).filename().string()}, {"methods", Json::array()}};
+    fmt::print("{}, {}x{}, a sample per pixel\n", result["scene"].get<std::string>(), settings.width,
+               settings.height);
+    for (const Method& method : all_methods(LightMethod::direct)) {
+        const Json row = measure_method(method, input, settings, maps, rounds);
+        fmt::print(
+            "  {:<20} prepare {:7.3f} s   compile {:6.3f} s   frame {:8.2f} ms   on the device {:8.2f} ms\n",
+            method_name(method), row["prepare_seconds"].get<double>(), row["compile_seconds"].get<double>(),
+            row["frame_ms"].get<double>(), row["gpu_ms"].get<double>());
+        result["methods"].push_back(row);
+    }
+    return result;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app("What a frame costs with each method");
+    std::vector<std::string> scenes;
+    std::string json_path;
+    std::string wanted_device;
+    RenderSettings settings;
+    MapSettings maps;
+    int rounds = 31;
+    app.add_option("scenes", scenes, "glTF scenes")->required();
+    app.add_option("--json", json_path, "Write the figures to this file");
+    app.add_option("--device", wanted_device, "Vulkan device")->envname("UTSURI_DEVICE");
+    app.add_option("--width", settings.width, "Width of the picture")->capture_default_str();
+    app.add_option("--height", settings.height, "Height of the picture")->capture_default_str();
+    app.add_option("--map-size", maps.size, "Texels along an edge of a map")->capture_default_str();
+    app.add_option("--rounds", rounds, "Frames per method")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+
+    const VulkanInstance instance;
+    Device device(instance, wanted_device);
+    Json report = {{"device", device.summary().name}, {"driver", device.summary().driver},
+                   {"width", settings.width},         {"height", settings.height},
+                   {"map_size", maps.size},           {"scenes", Json::array()}};
+    fmt::print("{}, {}\n", device.summary().name, device.summary().driver);
+    for (const std::string& path : scenes)
+        report["scenes"].push_back(measure_scene(device, path, settings, maps, rounds));
+    if (!json_path.empty()) std::ofstream(json_path) << report.dump(2) << '\n';
+    return 0;
+}
+
+}  // namespace
+}  // namespace utsuri
+
+int main(int argc, char** argv) {
+    try {
+        return utsuri::run(argc, argv);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "bench_frames: {}\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The surface that a fragment shows and the light it sends out, its mirror image excepted: diffuse light from the cache;
+// rough lobes are lit by a sample of the lights.
+#include "kernels/light_cache_bindings.glsl"
+#include "kernels/drawn_surface.glsl"
+#include "interop/raster.h"
+#include "lib/direct_light.glsl"
+
+layout(early_fragment_tests) in;
+
+layout(push_constant, scalar) uniform Push { RasterPush push; };
+
+layout(location = 0) out vec4 drawn;
+
+MaterialInfo drawn_material() {
+    TextureSlotInfo none = TextureSlotInfo(NONE, 0u);
+    MaterialInfo material = MaterialInfo(drawn_colour.rgb, drawn_colour.a, drawn_emissive, drawn_lobe.x, drawn_lobe.y,
+                                         drawn_lobe.z, drawn_ids.z, none, none, none);
+    if (HAS_TEXTURES) {
+        material.base_colour_texture = materials[drawn_ids.y].base_colour_texture;
+        material.metallic_roughness_texture = materials[drawn_ids.y].metallic_roughness_texture;
+        material.emissive_texture = materials[drawn_ids.y].emissive_texture;
+    }
+    return material;
+}
+
+/// The surface drawn, without what only rays that leave it need.
+Surface drawn_surface() {
+    Surface surface;
+    surface.position = push.camera.origin + drawn_from_eye;
+    surface.error_bound = vec3(0.0);
+    surface.triangle = drawn_ids.x;
+    surface.material = drawn_ids.y;
+    surface.instance = NONE;
+    surface.texcoord = drawn_place.zw;
+    shade_surface(surface, drawn_ng, drawn_normal, drawn_material(), drawn_from_eye);
+    return surface;
+}
+
+/// @param wo unit, to the eye
+vec3 drawn_light(vec3 wo, out Surface surface) {
+    if (HAS_GLOSSY) {
+        // Its rays leave the surface from where rays would hit it.
+        surface = make_surface(Hit(0.0, drawn_ids.x, drawn_place.x, drawn_place.y), -wo);
+        if (is_glossy(surface)) {
+            uint key = sampler_key(uvec2(gl_FragCoord.xy), push.seed, push.sample_index & 1u);
+            uint rays = 0u;
+            return surface.emission + direct_light(surface, wo, key, push.sample_index >> 1, 1u, NONE, rays);
+        }
+    } else {
+        surface = drawn_surface();
+    }
+    LightCacheTriangle lattice = LightCacheTriangle(drawn_cache.x, drawn_cache.y, drawn_cache.z, drawn_cache.w);
+    return surface.emission + diffuse_reflectance(surface, abs(dot(surface.ns, wo))) *
+                                  cached_light(lattice, drawn_place.xy, dot(surface.ng, drawn_ng) > 0.0);
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The triangle of the scene that a vertex of a listed triangle belongs to.
+
+layout(scalar, binding = BINDING_DRAW_LIST) readonly restrict buffer DrawnTriangles { uint draw_list[]; };
+
+uint listed_triangle() {
+    return draw_list[uint(gl_VertexIndex) / 3u];
+}
+
+vec3 listed_corner() {
+    BvhTriangle vertices = bvh_triangles[listed_triangle()];
+    uint corner = uint(gl_VertexIndex) % 3u;
+    return corner == 0u ? vertices.v0 : (corner == 1u ? vertices.v1 : vertices.v2);
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What kernels that shade with light kept on surfaces share.
+#include "interop/light_cache.h"
+#include "lib/lattice.glsl"
+
+layout(scalar, binding = BINDING_LIGHT_CACHE_TRIANGLES) readonly restrict buffer CacheTriangles {
+    LightCacheTriangle cache_triangles[];
+};
+layout(scalar, binding = BINDING_LIGHT_CACHE_POINTS) readonly restrict buffer CachePoints {
+    LightCachePoint cache_points[];
+};
+
+/// What a white diffuse surface would send out at a point of a triangle, to one side.
+vec3 cached_light(LightCacheTriangle lattice, vec2 b, bool front) {
+    if (lattice.intervals == 0u) return vec3(0.0);
+    LatticeCell cell = lattice_cell(lattice, vec3(1.0 - b.x - b.y, b));
+    uvec4 points = lattice.first_point + cell.points;
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        sum += cell.weights[i] * (front ? cache_points[points[i]].front : cache_points[points[i]].back);
+    }
+    return sum;
+}

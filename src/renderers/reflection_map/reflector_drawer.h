@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/reflection_map/reflectors.h"
+
+#include "gpu/kernel.h"
+#include "gpu/raster_pipeline.h"
+
+#include "interop/raster.h"
+
+#include <optional>
+
+namespace utsuri {
+
+/// How maps are made and looked up.
+enum class MapKind {
+    polygon,  ///< a polyhedron of maps in world space, reflection vectors per vertex
+    sphere,   ///< one OpenGL 1.x sphere map in eye space, texture coordinates per vertex
+    cube,     ///< a polyhedron of maps, reflection vectors per pixel
+    proxy     ///< the same, corrected by a box that stands in for the surroundings
+};
+
+/// Draws the polygons of reflectors with what they reflect. Where reflection vectors are found per vertex,
+/// polygons that straddle faces of the polyhedron of maps are cut along the boundaries by a kernel, and the
+/// pieces drawn indirectly.
+class ReflectorDrawer {
+  public:
+    /// @param faces of the polyhedron; empty for sphere maps
+    /// @param specialization of the fragment stage
+    /// @param bindings of scene, light cache and maps
+    /// @param most_cut_pieces see MapSettings, > 0
+    ReflectorDrawer(Device& device, const SceneData& data, const Reflectors& reflectors, MapKind kind,
+                    const std::vector<interop::MapFace>& faces, std::optional<std::uint32_t> most_cut_pieces,
+                    const Specialization& specialization, const Bindings& bindings);
+
+    /// The pass over vertices and polygons: what a new eye costs.
+    /// @returns seconds on the device
+    double look_from(const interop::ReflectVerticesPush& eye);
+
+    /// Records a draw of one triangle by each pipeline, so that drivers compile them.
+    void warm_up(const vk::raii::CommandBuffer& commands) const;
+
+    /// Records the draws, inside draw_into(), after the depth of what is not reflective.
+    void draw(const vk::raii::CommandBuffer& commands, const interop::RasterPush& push) const;
+
+    /// What the last look_from() made of the polygons, for tests and statistics.
+    struct Pieces {
+        std::vector<interop::Piece> whole;
+        std::vector<interop::Piece> cut;
+        std::vector<interop::PieceCorner> cut_corners;  ///< three to a piece
+    };
+    [[nodiscard]] Pieces pieces() const;
+
+  private:
+    /// A kernel that runs once to count and once more to write, and where its counts are summed in between.
+    struct TwoRuns {
+        Kernel count;
+        Kernel write;
+        BindingSet count_set;
+        BindingSet sum_set;
+        BindingSet write_set;
+    };
+    /// What cutting polygons takes.
+    struct Clipping {
+        Kernel prefix_sum;
+        TwoRuns sort;
+        TwoRuns cut;
+        RasterPipeline draw_whole;
+        RasterPipeline draw_cut;
+        BindingSet draw_whole_set;
+        BindingSet draw_cut_set;
+    };
+
+    [[nodiscard]] Bindings all_bindings(Bindings bindings) const;
+    [[nodiscard]] TwoRuns make_two_runs(const std::string& name, std::span<const std::uint32_t> spirv,
+                                        Specialization specialization, const Kernel& prefix_sum,
+                                        const Buffer& counts) const;
+    [[nodiscard]] Clipping make_clipping(const Specialization& specialization,
+                                         const Bindings& bindings) const;
+    void run_twice(const vk::raii::CommandBuffer& commands, const TwoRuns& runs) const;
+
+    Device& device_;
+    std::uint32_t vertex_count_;
+    interop::ClipPush clip_{};
+    Buffer vertices_;
+    Buffer triangles_;
+    Buffer vertex_reflections_;
+    Buffer faces_;
+    Buffer straddling_;
+    Buffer drawn_polygons_;
+    Buffer cut_counts_;
+    Buffer whole_pieces_;
+    Buffer cut_pieces_;
+    Buffer cut_corners_;
+    Buffer draw_arguments_;
+    Kernel vertex_kernel_;
+    BindingSet vertex_set_;
+    RasterPipeline whole_;
+    BindingSet whole_set_;
+    std::optional<Clipping> clipping_;
+};
+
+}  // namespace utsuri

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// direct/cube-map and direct/proxy-map in rooms that shine with their own position: the worked room of mirror z = 0, eye
+// (1, 1.6, 4) and capture point (2, 1.5, 2.5) again.
+#include "renderers/reflection_map/proxy_box.h"
+
+#include "support/coded_room.h"
+#include "support/light_scenes.h"
+#include "support/test_device.h"
+
+#include "map_observer.h"
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace utsuri::test {
+namespace {
+
+constexpr unsigned kLowerZ = 1u << 4;
+constexpr std::uint32_t kSize = 128;
+/// As in polygon_map_test.cpp: texels of 2 / N rad at the centre of a face, looked at to a quarter.
+constexpr double kTexel = 0.25 * 2.0 / kSize;
+
+const CodedRoom kRoom({0, 0, 0}, {4, 3, 5});
+const glm::dvec3 kEye(1, 1.6, 4);
+const glm::dvec3 kCapturePoint(2, 1.5, 2.5);
+
+struct WorkedPoint {
+    glm::dvec3 mirror;
+    glm::dvec3 hit;
+    glm::dvec3 infinite;
+};
+const std::array<WorkedPoint, 4> kWorkedPoints = {{{{2.5, 2, 0}, {4, 2.4, 4}, {2.9375, 1.75, 5}},
+                                                   {{2, 1.5, 0}, {3.25, 1.375, 5}, {2.625, 1.4375, 5}},
+                                                   {{1, 1, 0}, {1, 0.25, 5}, {2, 1.125, 5}},
+                                                   {{3, 2.5, 0}, {4, 2.95, 2}, {3.25, 2.0625, 5}}}};
+
+MapSettings settings() {
+    MapSettings settings;
+    settings.size = kSize;
+    settings.samples = 16;
+    settings.capture_point = kCapturePoint;
+    return settings;
+}
+
+Scene room_with_mirror_wall() {
+    Scene scene;
+    kRoom.add_to(scene, kLowerZ);
+    add(scene, quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0}), mirror());
+    return scene;
+}
+
+class PixelMaps : public DeviceTest {};
+
+// A room that is its own proxy has no parallax error at all: exact where the infinite map is wrong by up to 73 degrees.
+TEST_F(PixelMaps, ProxyShowsTheTrueHitsInAnEmptyRoom) {
+    MapObserver observer(device(), room_with_mirror_wall(), MapKind::proxy, settings());
+    for (const WorkedPoint& point : kWorkedPoints) {
+        const glm::dvec3 seen = kRoom.decode(observer.look(kEye, point.mirror, 4).mean);
+        EXPECT_LE(angle_between(seen - kCapturePoint, point.hit - kCapturePoint), kTexel)
+            << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
+    }
+}
+
+TEST_F(PixelMaps, CubeShowsTheInfiniteMap) {
+    MapObserver observer(device(), room_with_mirror_wall(), MapKind::cube, settings());
+    for (const WorkedPoint& point : kWorkedPoints) {
+        const glm::dvec3 seen = kRoom.decode(observer.look(kEye, point.mirror, 4).mean);
+        EXPECT_LE(angle_between(seen - kCapturePoint, point.infinite - kCapturePoint), kTexel)
+            << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
+    }
+}
+
+// On a coarse ball vectors per pixel follow the interpolated normal exactly, where vectors per vertex are off by up to
+// beta^2 / 4 of its 37 degrees between vertices and more.
+TEST_F(PixelMaps, CubeNeedsNoFinePolygons) {
+    const CodedRoom hall(glm::dvec3(-200.0), glm::dvec3(200.0));
+    Scene scene;
+    hall.add_to(scene);
+    add(scene, icosphere(glm::vec3(0.0f), 1.0f, 1), mirror());
+    Observer traced(device(), scene);
+    MapSettings at_centre = settings();
+    at_centre.capture_point.reset();
+    RenderSettings picture;
+    picture.width = picture.height = 48;
+    const Camera camera = look_at({3, 2, 2.5}, {0, 0, 0}, 0.3);
+    const Image reference = traced.picture(camera, picture, 16);
+    const auto mean_error = [&](MapKind kind) {
+        const Image image = MapObserver(device(), scene, kind, at_centre).picture(camera, picture, 16);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            sum += glm::length(glm::dvec3(image.pixels[i]) - glm::dvec3(reference.pixels[i]));
+        return sum / static_cast<double>(image.pixels.size());
+    };
+    const double cube = mean_error(MapKind::cube);
+    // Parallax of a radius in 200, a texel, half of each in codes of 0 to 1.
+    EXPECT_LE(cube, 2.0 / 200.0 + 2.0 / kSize);
+    EXPECT_GE(mean_error(MapKind::polygon), 3.0 * cube);
+}
+
+// The fitted box is the room, whatever stands in it; rays to its corners and furniture do not sway it.
+TEST(ProxyBox, FindsTheWallsOfAFurnishedRoom) {
+    Scene scene;
+    add(scene, room({-2, 0, -3}, {4, 2.5f, 3}), lambert(glm::vec3(0.5f)));
+    add(scene, room({2, 0, -1}, {3.5f, 0.9f, 1.2f}), lambert(glm::vec3(0.5f)));
+    add(scene, icosphere({0.4f, 1.1f, 0.2f}, 0.3f, 2), mirror());
+    const SceneData data = prepare_scene_data(scene);
+    const glm::dvec3 point = glm::dvec3(0.4, 1.1, 0.2) - data.origin;
+    const Bounds box = fit_proxy_box(data, 2, point);
+    const glm::dvec3 lower = glm::dvec3(box.lower) + data.origin;
+    const glm::dvec3 upper = glm::dvec3(box.upper) + data.origin;
+    EXPECT_LE(glm::distance(lower, glm::dvec3(-2, 0, -3)), 1e-5);
+    EXPECT_LE(glm::distance(upper, glm::dvec3(4, 2.5, 3)), 1e-5);
+}
+
+TEST(ProxyBox, HoldsItsReflectorAndItsPoint) {
+    // A mirror that reaches through the only wall there is.
+    Scene scene;
+    add(scene, quad({-5, -5, -1}, {10, 0, 0}, {0, 10, 0}), lambert(glm::vec3(0.5f)));
+    add(scene, icosphere({0, 0, 0}, 2.0f, 1), mirror());
+    const SceneData data = prepare_scene_data(scene);
+    const Bounds box = fit_proxy_box(data, 1, -data.origin);
+    EXPECT_LE(static_cast<double>(box.lower.z) + data.origin.z, -1.9);
+    EXPECT_GE(static_cast<double>(box.upper.x) + data.origin.x, 1.9);
+}
+
+TEST(ProxyBox, IsTheSceneWhereNothingSurrounds) {
+    Scene scene;
+    add(scene, icosphere({0, 0, 0}, 2.0f, 1), mirror());
+    const SceneData data = prepare_scene_data(scene);
+    const Bounds box = fit_proxy_box(data, 0, {0, 0, 0});
+    EXPECT_EQ(box.lower, data.bounds.lower);
+    EXPECT_EQ(box.upper, data.bounds.upper);
+}
+
+}  // namespace
+}  // namespace utsuri::test
