@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// direct/cube-map and direct/proxy-map in rooms that shine with their own position: the worked room of mirror z = 0, eye
-// (1, 1.6, 4) and capture point (2, 1.5, 2.5) again.
+// direct/cube-map and direct/proxy-map in rooms that shine with their own position: the worked room of mirror
+// z = 0, eye (1, 1.6, 4) and capture point (2, 1.5, 2.5) again.
 #include "renderers/reflection_map/proxy_box.h"
-
 #include "support/coded_room.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
@@ -53,7 +52,8 @@ Scene room_with_mirror_wall() {
 
 class PixelMaps : public DeviceTest {};
 
-// A room that is its own proxy has no parallax error at all: exact where the infinite map is wrong by up to 73 degrees.
+// A room that is its own proxy has no parallax error at all: exact where the infinite map is wrong by up to
+// 73 degrees.
 TEST_F(PixelMaps, ProxyShowsTheTrueHitsInAnEmptyRoom) {
     MapObserver observer(device(), room_with_mirror_wall(), MapKind::proxy, settings());
     for (const WorkedPoint& point : kWorkedPoints) {
@@ -72,8 +72,8 @@ TEST_F(PixelMaps, CubeShowsTheInfiniteMap) {
     }
 }
 
-// On a coarse ball vectors per pixel follow the interpolated normal exactly, where vectors per vertex are off by up to
-// beta^2 / 4 of its 37 degrees between vertices and more.
+// On a coarse ball vectors per pixel follow the interpolated normal exactly, where vectors per vertex are off
+// by up to beta^2 / 4 of its 37 degrees between vertices and more.
 TEST_F(PixelMaps, CubeNeedsNoFinePolygons) {
     const CodedRoom hall(glm::dvec3(-200.0), glm::dvec3(200.0));
     Scene scene;

@@ -16,8 +16,8 @@ namespace utsuri {
 namespace {
 
 constexpr int kDirections = 1024;
-/// Rounds of the search over the six sides, each a scan at the distances that rays met and no others: a side that fits
-/// lies where something is.
+/// Rounds of the search over the six sides, each a scan at the distances that rays met and no others: a side
+/// that fits lies where something is.
 constexpr int kRounds = 4;
 
 struct Sight {
@@ -31,7 +31,8 @@ std::vector<Sight> look_around(const SceneData& scene, std::uint32_t instance, c
     for (int i = 0; i < kDirections; ++i) {
         const double z = 1.0 - (2.0 * i + 1.0) / kDirections;
         const double radius = std::sqrt(1.0 - z * z);
-        const glm::dvec3 direction(radius * std::cos(golden_angle * i), radius * std::sin(golden_angle * i), z);
+        const glm::dvec3 direction(radius * std::cos(golden_angle * i), radius * std::sin(golden_angle * i),
+                                   z);
         const auto hit = closest_hit_reference(
             scene.bvh, point, direction, std::numeric_limits<double>::infinity(),
             [&](std::uint32_t triangle) { return scene.triangle_infos[triangle].instance != instance; });
