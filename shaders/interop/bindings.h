@@ -31,11 +31,10 @@ INTEROP_CONSTANT BINDING_LIGHT_CACHE_TRIANGLES = 21u;
 INTEROP_CONSTANT BINDING_LIGHT_CACHE_POINTS = 22u;
 INTEROP_CONSTANT BINDING_DRAW_LIST = 23u;  ///< triangles in the order they are drawn in
 INTEROP_CONSTANT BINDING_MAP_FACES = 24u;
-INTEROP_CONSTANT BINDING_SUMMED_COUNTS = 25u;  ///< what the prefix sum works on
-INTEROP_CONSTANT BINDING_STRADDLING = 26u;     ///< polygons that straddle faces before each, and in all
-INTEROP_CONSTANT BINDING_DRAWN_POLYGONS =
-    27u;  ///< which polygons are drawn whole: those that straddle faces, or all
-INTEROP_CONSTANT BINDING_CUT_COUNTS = 28u;  ///< pieces of the straddlers before each, and in all
+INTEROP_CONSTANT BINDING_SUMMED_COUNTS = 25u;   ///< what the prefix sum works on
+INTEROP_CONSTANT BINDING_STRADDLING = 26u;      ///< polygons that straddle faces before each, and in all
+INTEROP_CONSTANT BINDING_DRAWN_POLYGONS = 27u;  ///< those drawn whole: that straddle faces, or all
+INTEROP_CONSTANT BINDING_CUT_COUNTS = 28u;      ///< pieces of the straddlers before each, and in all
 INTEROP_CONSTANT BINDING_WHOLE_PIECES = 29u;
 INTEROP_CONSTANT BINDING_CUT_PIECES = 30u;
 INTEROP_CONSTANT BINDING_CUT_CORNERS = 31u;

@@ -35,13 +35,16 @@ struct FramePush {
     uint excluded_instance;  ///< invisible instance, or NONE
 };
 
-/// Compensated sums (Kahan 1965) of the samples of a pixel. Even and odd samples are two independent
-/// estimates of the same pixel, whose difference tells the noise.
+/// A compensated sum (Kahan 1965).
+struct FilmSum {
+    vec3 sum;
+    vec3 compensation;
+};
+
+/// The samples of a pixel. Even and odd ones are two independent estimates of it, whose difference tells the
+/// noise.
 struct FilmPixel {
-    vec3 sum_even;
-    vec3 compensation_even;
-    vec3 sum_odd;
-    vec3 compensation_odd;
+    FilmSum halves[2];
 };
 
 /// Totals of a dispatch.

@@ -24,7 +24,9 @@ void main() {
         atomicAdd(counters.nonfinite, 1u);
         return;
     }
-    FilmPixel state = film[pixel];
-    add_sample(state, push.sample_index, radiance);
-    film[pixel] = state;
+    // Only the half that the sample belongs to is read and written.
+    uint parity = push.sample_index & 1u;
+    FilmSum state = film[pixel].halves[parity];
+    add_compensated(state.sum, state.compensation, radiance);
+    film[pixel].halves[parity] = state;
 }

@@ -18,5 +18,5 @@ void main() {
     uint texel = gl_GlobalInvocationID.x;
     if (texel >= push.texels) return;
     FilmPixel pixel = film[texel];
-    map_texels[push.first_texel + texel] = (pixel.sum_even + pixel.sum_odd) / float(push.samples);
+    map_texels[push.first_texel + texel] = (pixel.halves[0].sum + pixel.halves[1].sum) / float(push.samples);
 }

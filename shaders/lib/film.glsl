@@ -15,9 +15,9 @@ void add_compensated(inout vec3 sum, inout vec3 compensation, vec3 value) {
 
 void add_sample(inout FilmPixel pixel, uint sample_index, vec3 radiance) {
     if ((sample_index & 1u) == 0u) {
-        add_compensated(pixel.sum_even, pixel.compensation_even, radiance);
+        add_compensated(pixel.halves[0].sum, pixel.halves[0].compensation, radiance);
     } else {
-        add_compensated(pixel.sum_odd, pixel.compensation_odd, radiance);
+        add_compensated(pixel.halves[1].sum, pixel.halves[1].compensation, radiance);
     }
 }
 

@@ -44,6 +44,8 @@ SpirvModule::SpirvModule(std::span<const std::uint32_t> words) {
             offsets_[operands[0]][operands[1]] = operands[3];
         } else if (is_type(instruction.operation)) {
             types_[operands[0]] = instruction;
+        } else if (instruction.operation == kOpConstant) {
+            constants_[operands[1]] = operands[2];
         }
         at += count;
     }
@@ -92,6 +94,11 @@ std::uint32_t SpirvModule::size_of(std::uint32_t type) const {
             if (offsets == offsets_.end() || words.size() < 2) return 0;
             const auto last = static_cast<std::uint32_t>(words.size() - 2);
             return offsets->second.at(last) + size_of(words.back());
+        }
+        case kOpTypeArray: {
+            // Scalar layout packs elements. A length that is a specialization constant is in no buffer.
+            const auto length = constants_.find(words[2]);
+            return length == constants_.end() ? 0 : length->second * size_of(words[1]);
         }
         default:
             return 0;  // arrays whose length is open

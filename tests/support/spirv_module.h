@@ -24,6 +24,7 @@ inline constexpr std::uint32_t kOpTypeInt = 21;
 inline constexpr std::uint32_t kOpTypeFloat = 22;
 inline constexpr std::uint32_t kOpTypeVector = 23;
 inline constexpr std::uint32_t kOpTypeArray = 28;
+inline constexpr std::uint32_t kOpConstant = 43;
 inline constexpr std::uint32_t kOpTypeRuntimeArray = 29;
 inline constexpr std::uint32_t kOpTypeStruct = 30;
 inline constexpr std::uint32_t kOpFunction = 54;
@@ -76,6 +77,7 @@ class SpirvModule {
     std::map<std::uint32_t, std::map<std::uint32_t, std::string>> member_names_;
     std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> offsets_;
     std::map<std::uint32_t, SpirvInstruction> types_;
+    std::map<std::uint32_t, std::uint32_t> constants_;  ///< their first word
 };
 
 /// The module without its NoContraction decorations: what a compiler would make of the source without

@@ -14,8 +14,8 @@ namespace {
 /// A band larger than this gains nothing and takes long to read back.
 constexpr std::uint64_t kLargestBand = 64ull << 20;
 
-glm::dvec3 total(const glm::vec3& sum, const glm::vec3& compensation) {
-    return glm::dvec3(sum) - glm::dvec3(compensation);
+glm::dvec3 total(const interop::FilmSum& half) {
+    return glm::dvec3(half.sum) - glm::dvec3(half.compensation);
 }
 
 }  // namespace
@@ -52,8 +52,7 @@ Image Film::resolve() const {
     for (const Band& band : bands_) {
         const auto pixels = band.pixels.download_records<interop::FilmPixel>(std::size_t{width_} * band.rows);
         for (const interop::FilmPixel& pixel : pixels) {
-            const glm::dvec3 sum =
-                total(pixel.sum_even, pixel.compensation_even) + total(pixel.sum_odd, pixel.compensation_odd);
+            const glm::dvec3 sum = total(pixel.halves[0]) + total(pixel.halves[1]);
             image.pixels[at++] = glm::vec3(sum / static_cast<double>(samples_));
         }
     }
@@ -68,8 +67,8 @@ NoiseEstimate Film::estimate_noise() const {
     for (const Band& band : bands_) {
         const auto pixels = band.pixels.download_records<interop::FilmPixel>(std::size_t{width_} * band.rows);
         for (const interop::FilmPixel& pixel : pixels) {
-            const glm::dvec3 even = total(pixel.sum_even, pixel.compensation_even) / half;
-            const glm::dvec3 odd = total(pixel.sum_odd, pixel.compensation_odd) / half;
+            const glm::dvec3 even = total(pixel.halves[0]) / half;
+            const glm::dvec3 odd = total(pixel.halves[1]) / half;
             const glm::dvec3 difference = even - odd;
             squares +=
                 difference.x * difference.x + difference.y * difference.y + difference.z * difference.z;
