@@ -5,6 +5,8 @@
 #include "compare/method.h"
 #include "import/gltf.h"
 
+#include "median.h"
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -19,12 +21,6 @@ namespace utsuri {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                     values.end());
-    return values[values.size() / 2];
-}
 
 /// Each round is one frame of one sample per pixel, from another place.
 Json measure_method(const Method& method, const RenderInput& input, const RenderSettings& settings,

@@ -5,6 +5,7 @@
 #include "renderers/ray_trace/ray_list.h"
 #include "support/embree_oracle.h"
 
+#include "median.h"
 #include "ray_sets.h"
 
 #include <CLI/App.hpp>
@@ -23,12 +24,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                     values.end());
-    return values[values.size() / 2];
-}
 
 template <typename Work>
 double seconds_of(const Work& work) {

@@ -29,6 +29,15 @@ class MapObserver {
     RenderStatistics statistics_;
 };
 
+/// Maps of 16 samples a texel, the rest as by default.
+inline MapSettings map_settings(std::uint32_t size, std::optional<glm::dvec3> capture_point = std::nullopt) {
+    MapSettings settings;
+    settings.size = size;
+    settings.samples = 16;
+    settings.capture_point = capture_point;
+    return settings;
+}
+
 /// Texel centre in picture coordinates, [-1, 1]^2 for the texels inside the border.
 inline glm::dvec2 texel_centre(std::uint32_t column, std::uint32_t row, std::uint32_t size) {
     const double border = interop::MAP_BORDER;

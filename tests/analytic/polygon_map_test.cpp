@@ -25,14 +25,6 @@ constexpr double kTexelError = 0.25;
 
 class PolygonMap : public DeviceTest {};
 
-MapSettings map_settings(std::uint32_t size, std::optional<glm::dvec3> capture_point = std::nullopt) {
-    MapSettings settings;
-    settings.size = size;
-    settings.samples = 16;
-    settings.capture_point = capture_point;
-    return settings;
-}
-
 /// Edge of a texel in radians where it is widest, at the centre of a face.
 double texel_angle(std::uint32_t size) {
     return 2.0 / size;

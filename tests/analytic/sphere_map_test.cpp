@@ -16,14 +16,6 @@ namespace {
 
 class SphereMap : public DeviceTest {};
 
-MapSettings map_settings(std::uint32_t size, std::optional<glm::dvec3> capture_point = std::nullopt) {
-    MapSettings settings;
-    settings.size = size;
-    settings.samples = 16;
-    settings.capture_point = capture_point;
-    return settings;
-}
-
 void add_ball(Scene& scene, glm::vec3 centre) {
     add(scene, icosphere(centre, 0.05f, 0), mirror());
 }

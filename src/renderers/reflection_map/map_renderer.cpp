@@ -29,7 +29,6 @@ MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& 
       scene_(scene),
       filled_light_(light),
       camera_(camera),
-      kind_(kind),
       settings_(settings),
       maps_(device, data, kind, map_settings),
       light_cache_(device, data, light.settings),

@@ -42,7 +42,6 @@ class MapRenderer : public Renderer {
     FilledLight& filled_light_;
     Camera camera_;
     bool eye_moved_ = true;
-    MapKind kind_;
     RenderSettings settings_;
     ReflectionMaps maps_;
     LightCache light_cache_;
