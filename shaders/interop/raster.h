@@ -11,7 +11,9 @@ struct RasterPush {
     float near_plane;  ///< distance along the viewing direction
     uint sample_index;
     uint seed;
-    vec2 pixel;  ///< size of a pixel, in pictures
+    vec2 pixel;           ///< size of a pixel, in pictures
+    uint specular_depth;  ///< most specular reflections followed
+    float tolerance;      ///< predicted displacement up to which maps are looked up, in pixels
 };
 
 struct AddDrawnPush {

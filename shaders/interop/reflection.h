@@ -26,6 +26,10 @@ INTEROP_CONSTANT MAP_KIND_CUBE = 3u;
 /// surroundings.
 INTEROP_CONSTANT MAP_KIND_PROXY = 4u;
 
+/// By the direction from the capture point to where the mirrored ray meets the distances kept about that
+/// point.
+INTEROP_CONSTANT MAP_KIND_DISTANCE = 5u;
+
 /// A face of a convex polyhedron about the capture point. A direction d points at the face where dot(outward,
 /// d) is largest, and there at the picture position (dot(right, d), dot(up, d)) / dot(outward, d) in [-1,
 /// 1]^2.
@@ -33,6 +37,7 @@ struct MapFace {
     vec3 outward;  ///< unit normal over the face's distance
     vec3 right;
     vec3 up;
+    float half_diagonal;  ///< of the picture, where the face is
 };
 
 struct ReflectorInfo {
@@ -40,6 +45,9 @@ struct ReflectorInfo {
     uint first_texel;  ///< of this reflector's maps, in texels
     vec3 proxy_lower;  ///< box that stands in for the surroundings
     vec3 proxy_upper;
+    vec3 map_right;  ///< unit axes that a sphere map was captured along
+    vec3 map_up;
+    vec3 map_forward;
 };
 
 /// A vertex of a reflector's polygons, in scene space.

@@ -21,7 +21,8 @@ INTEROP_CONSTANT SPEC_MAP_KIND = 12u;     ///< MAP_KIND_ of interop/reflection.h
 INTEROP_CONSTANT SPEC_SUMS_LIGHTS = 13u;  ///< unshadowed light is summed over all lights in closed form
 INTEROP_CONSTANT SPEC_FACE_COUNT = 14u;   ///< of the polyhedron of maps, at most MAP_MOST_FACES
 INTEROP_CONSTANT SPEC_WRITES = 15u;       ///< the second run of a kernel that first counts what it will write
-INTEROP_CONSTANT SPEC_COUNT = 16u;
+INTEROP_CONSTANT SPEC_DISTANCE_SIZE = 16u;  ///< texels along an edge of a face of distances, a power of two
+INTEROP_CONSTANT SPEC_COUNT = 17u;
 
 INTEROP_END
 #endif

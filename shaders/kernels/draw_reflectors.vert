@@ -10,19 +10,8 @@
 #include "kernels/drawn_triangle.glsl"
 #include "kernels/drawn_vertex.glsl"
 #include "kernels/reflector_bindings.glsl"
-
-layout(constant_id = SPEC_MAP_KIND) const uint MAP_KIND = MAP_KIND_POLYGON;
-
-layout(scalar, binding = BINDING_DRAWN_POLYGONS) readonly restrict buffer DrawnPolygons { uint drawn_polygons[]; };
+#include "kernels/drawn_reflector.glsl"
 
 void main() {
-    ReflectorTriangle polygon = reflector_triangles[drawn_polygons[uint(gl_VertexIndex) / 3u]];
-    uint corner = uint(gl_VertexIndex) % 3u;
-    uint vertex = polygon.vertices[corner];
-    set_drawn_triangle(polygon.triangle, polygon.places[corner]);
-    drawn_ids.w = polygon.reflector;
-    VertexReflection found = vertex_reflections[vertex];
-    drawn_reflection = MAP_KIND == MAP_KIND_SPHERE ? vec3(found.sphere_map, 0.0) : found.direction;
-    drawn_from_eye = reflector_vertices[vertex].position - push.camera.origin;
-    gl_Position = project(drawn_from_eye);
+    set_drawn_reflector();
 }

@@ -7,6 +7,7 @@ layout(constant_id = SPEC_FACE_COUNT) const uint FACE_COUNT = CUBE_FACES;
 
 layout(scalar, binding = BINDING_MAP_FACES) readonly restrict buffer MapFaces { MapFace map_faces[]; };
 
+#include "lib/camera.glsl"
 #include "lib/map_face.glsl"
 #include "lib/proxy.glsl"
 
@@ -17,16 +18,40 @@ vec3 polygon_map(uint first_texel, vec3 direction) {
     return sample_map(first_texel + face * stride * stride, p.xy / p.z);
 }
 
+/// The direction from the capture point that the method means to look up, were it not for interpolation.
 /// @param wi the mirrored direction
+vec3 wanted_direction(Surface surface, ReflectorInfo reflector, vec3 wi) {
+    if (MAP_KIND != MAP_KIND_PROXY) return wi;
+    return leave_box(surface.position, wi, reflector.proxy_lower, reflector.proxy_upper) - reflector.capture_point;
+}
+
+/// The direction that it does look up.
+vec3 looked_up_direction(Surface surface, ReflectorInfo reflector, vec3 wi) {
+    // Opposite vectors may cancel; nothing can be interpolated there.
+    if (MAP_KIND == MAP_KIND_POLYGON && drawn_reflection != vec3(0.0)) return drawn_reflection;
+    if (MAP_KIND == MAP_KIND_SPHERE) {
+        CameraInfo axes = CameraInfo(vec3(0.0), reflector.map_right, reflector.map_up, reflector.map_forward);
+        return sphere_map_direction(axes, 2.0 * drawn_reflection.xy - 1.0);
+    }
+    return wanted_direction(surface, reflector, wi);
+}
+
 vec3 mapped_radiance(Surface surface, vec3 wi) {
     if (MAP_KIND == MAP_KIND_PIECES) return sample_map(drawn_ids.w, drawn_reflection.xy / drawn_reflection.z);
     ReflectorInfo reflector = reflectors[drawn_ids.w];
     if (MAP_KIND == MAP_KIND_SPHERE) return sample_map(reflector.first_texel, 2.0 * drawn_reflection.xy - 1.0);
-    // Opposite vectors may cancel; nothing can be interpolated there.
-    vec3 direction = MAP_KIND == MAP_KIND_POLYGON && drawn_reflection != vec3(0.0) ? drawn_reflection : wi;
-    if (MAP_KIND == MAP_KIND_PROXY) {
-        direction = leave_box(surface.position, wi, reflector.proxy_lower, reflector.proxy_upper) -
-                    reflector.capture_point;
+    return polygon_map(reflector.first_texel, looked_up_direction(surface, reflector, wi));
+}
+
+/// Half the diagonal of the texel that a direction points at, as an angle.
+float texel_angle(vec3 direction) {
+    if (MAP_KIND == MAP_KIND_SPHERE) {
+        // Of the disc, whose texels all cover the same solid angle, ever narrower towards the rim: radially 4 / (N c) and
+        // across 4 c / N, where c is the cosine of half the angle to the axis.
+        vec2 p = 2.0 * drawn_reflection.xy - 1.0;
+        float cosine = sqrt(max(1.0 - dot(p, p), 1e-12));
+        return 2.0 / float(MAP_SIZE) * sqrt(1.0 / (cosine * cosine) + cosine * cosine);
     }
-    return polygon_map(reflector.first_texel, direction);
+    MapFace face = map_faces[map_face(direction)];
+    return face.half_diagonal / float(MAP_SIZE) * dot(face.outward, direction) / length(direction);
 }

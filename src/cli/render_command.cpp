@@ -216,7 +216,7 @@ void add_render_command(CLI::App& app, Action& action) {
         ->capture_default_str();
     command
         ->add_option("--reflection", options->reflection,
-                     "Reflections: trace, polygon-map, sphere-map, cube-map or proxy-map")
+                     "Reflections: trace, polygon-map, sphere-map, cube-map, proxy-map or distance-map")
         ->capture_default_str();
     command
         ->add_option("--spp", options->samples, "Samples per pixel, or the most with --time or --noise [16]")

@@ -14,9 +14,9 @@
 namespace utsuri {
 namespace {
 
-constexpr std::array kReflections = {ReflectionMethod::trace, ReflectionMethod::polygon_map,
+constexpr std::array kReflections = {ReflectionMethod::trace,      ReflectionMethod::polygon_map,
                                      ReflectionMethod::sphere_map, ReflectionMethod::cube_map,
-                                     ReflectionMethod::proxy_map};
+                                     ReflectionMethod::proxy_map,  ReflectionMethod::distance_map};
 
 MapKind map_kind(ReflectionMethod reflection) {
     switch (reflection) {
@@ -28,6 +28,8 @@ MapKind map_kind(ReflectionMethod reflection) {
             return MapKind::cube;
         case ReflectionMethod::proxy_map:
             return MapKind::proxy;
+        case ReflectionMethod::distance_map:
+            return MapKind::distance;
         case ReflectionMethod::trace:
             break;
     }
@@ -52,6 +54,8 @@ std::string_view to_string(ReflectionMethod reflection) {
             return "cube-map";
         case ReflectionMethod::proxy_map:
             return "proxy-map";
+        case ReflectionMethod::distance_map:
+            return "distance-map";
     }
     fail_check(__FILE__, __LINE__, "a reflection method without a name");
 }
@@ -70,7 +74,7 @@ ReflectionMethod parse_reflection(std::string_view name) {
         if (name == to_string(reflection)) return reflection;
     }
     throw UsageError("choose reflection", fmt::format("'{}'", name),
-                     "there are: trace, polygon-map, sphere-map, cube-map, proxy-map");
+                     "there are: trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map");
 }
 
 std::vector<Method> all_methods(LightMethod light) {

@@ -22,6 +22,8 @@ class Degenerate : public DeviceTest {
         check(render_with_maps(device(), scene, camera, settings, MapKind::polygon, maps, 2), "polygon-map");
         check(render_with_maps(device(), scene, camera, settings, MapKind::sphere, maps, 2), "sphere-map");
         check(render_with_maps(device(), scene, camera, settings, MapKind::proxy, maps, 2), "proxy-map");
+        check(render_with_maps(device(), scene, camera, settings, MapKind::distance, maps, 2),
+              "distance-map");
     }
 
     static void check(const Traced& result, const char* method) {

@@ -3,16 +3,23 @@
 
 #include "kernels/add_drawn.h"
 #include "kernels/aov.h"
+#include "kernels/bound_distances.h"
 #include "kernels/cut_polygons.h"
+#include "kernels/draw_curved_reflectors_vert.h"
 #include "kernels/draw_cut_pieces_vert.h"
 #include "kernels/draw_depth_vert.h"
+#include "kernels/draw_distance_reflector_frag.h"
 #include "kernels/draw_reflector_frag.h"
 #include "kernels/draw_reflectors_vert.h"
 #include "kernels/draw_scene_frag.h"
 #include "kernels/draw_scene_vert.h"
 #include "kernels/draw_whole_pieces_vert.h"
 #include "kernels/fill_light_cache.h"
+#include "kernels/measure_distances.h"
+#include "kernels/measure_reflection_frag.h"
+#include "kernels/predict_reflection_frag.h"
 #include "kernels/prefix_sum.h"
+#include "kernels/reduce_bounds.h"
 #include "kernels/reflect_vertices.h"
 #include "kernels/resolve_map.h"
 #include "kernels/sort_polygons.h"
@@ -25,16 +32,23 @@ namespace utsuri::test {
 std::vector<ProductKernel> product_kernels() {
     return {{"add_drawn", kernels::add_drawn},
             {"aov", kernels::aov},
+            {"bound_distances", kernels::bound_distances},
             {"cut_polygons", kernels::cut_polygons},
+            {"draw_curved_reflectors_vert", kernels::draw_curved_reflectors_vert},
             {"draw_cut_pieces_vert", kernels::draw_cut_pieces_vert},
             {"draw_depth_vert", kernels::draw_depth_vert},
+            {"draw_distance_reflector_frag", kernels::draw_distance_reflector_frag},
             {"draw_reflector_frag", kernels::draw_reflector_frag},
             {"draw_reflectors_vert", kernels::draw_reflectors_vert},
             {"draw_scene_frag", kernels::draw_scene_frag},
             {"draw_scene_vert", kernels::draw_scene_vert},
             {"draw_whole_pieces_vert", kernels::draw_whole_pieces_vert},
             {"fill_light_cache", kernels::fill_light_cache},
+            {"measure_distances", kernels::measure_distances},
+            {"measure_reflection_frag", kernels::measure_reflection_frag},
+            {"predict_reflection_frag", kernels::predict_reflection_frag},
             {"prefix_sum", kernels::prefix_sum},
+            {"reduce_bounds", kernels::reduce_bounds},
             {"reflect_vertices", kernels::reflect_vertices},
             {"resolve_map", kernels::resolve_map},
             {"sort_polygons", kernels::sort_polygons},

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/capture_point.h"
 
+#include "renderers/reflection_map/view_directions.h"
+
 #include "geometry/reference_intersection.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -18,18 +19,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kDirections = 64;
 /// Surface points of the instance that are looked at to see whether it is exposed.
 constexpr std::size_t kSurfaceSamples = 16;
-
-/// Evenly spread unit vectors (spherical Fibonacci points).
-std::vector<glm::dvec3> directions() {
-    std::vector<glm::dvec3> result;
-    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    for (int i = 0; i < kDirections; ++i) {
-        const double z = 1.0 - (2.0 * i + 1.0) / kDirections;
-        const double radius = std::sqrt(1.0 - z * z);
-        result.emplace_back(radius * std::cos(golden_angle * i), radius * std::sin(golden_angle * i), z);
-    }
-    return result;
-}
 
 std::optional<ReferenceHit> look(const SceneData& scene, std::uint32_t instance, const glm::dvec3& origin,
                                  const glm::dvec3& direction) {
@@ -66,7 +55,7 @@ bool is_exposed(const SceneData& scene, std::uint32_t instance, const std::vecto
 glm::dvec3 move_out(const SceneData& scene, std::uint32_t instance, const glm::dvec3& centre, double radius) {
     glm::dvec3 best = centre;
     double best_distance = kInfinity;
-    for (const glm::dvec3& direction : directions()) {
+    for (const glm::dvec3& direction : view_directions(kDirections)) {
         const auto exit = look(scene, instance, centre, direction);
         if (!exit || !exit->back_face || exit->t >= best_distance) continue;
         const glm::dvec3 surface = centre + exit->t * direction;
@@ -85,7 +74,7 @@ glm::dvec3 move_out(const SceneData& scene, std::uint32_t instance, const glm::d
 
 bool is_inside_geometry(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point) {
     int backs = 0;
-    for (const glm::dvec3& direction : directions()) {
+    for (const glm::dvec3& direction : view_directions(kDirections)) {
         const auto hit = look(scene, instance, point, direction);
         if (hit && hit->back_face) ++backs;
     }

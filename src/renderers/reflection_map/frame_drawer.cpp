@@ -44,6 +44,10 @@ std::uint32_t rows_of_bands(const Device& device, std::uint32_t width, std::uint
 
 }  // namespace
 
+float near_plane(const SceneData& data) {
+    return static_cast<float>(kNearShare * glm::length(glm::dvec3(data.bounds.extent())));
+}
+
 FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
                          const Bindings& bindings, const ReflectorDrawer& reflectors, std::uint32_t width,
                          std::uint32_t height)
@@ -54,7 +58,7 @@ FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& 
                          const ReflectorDrawer& reflectors, std::uint32_t width, std::uint32_t height)
     : device_(checked(device)),
       reflectors_(reflectors),
-      near_plane_(static_cast<float>(kNearShare * glm::length(glm::dvec3(data.bounds.extent())))),
+      near_plane_(near_plane(data)),
       background_(background(data)),
       colour_(device, width, height, kColourFormat, "drawn picture"),
       depth_(device, width, height, kDepthFormat, "depth of the drawn picture"),

@@ -17,6 +17,9 @@
 
 namespace utsuri {
 
+/// Distance of the near plane for a scene.
+float near_plane(const SceneData& data);
+
 /// Draws one view of a scene with the raster pipeline and adds the pictures to a film, a sample of each pixel
 /// a time. Samples of one picture lie at one place in their pixels, which a Sobol sequence moves from picture
 /// to picture.

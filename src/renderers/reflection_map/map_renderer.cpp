@@ -3,6 +3,8 @@
 
 #include "renderers/common/frame_camera.h"
 
+#include "base/check.h"
+
 #include "interop/specialization.h"
 
 #include <chrono>
@@ -10,9 +12,11 @@
 namespace utsuri {
 namespace {
 
-Specialization with_map_size(Specialization specialization, std::uint32_t size) {
-    specialization[interop::SPEC_MAP_SIZE] = size;
-    return specialization;
+std::optional<DistanceMaps> make_distances(Device& device, const SceneData& data, const ReflectionMaps& maps,
+                                           MapKind kind, const MapSettings& settings) {
+    if (!keeps_distances(kind) && !settings.predicts_errors) return std::nullopt;
+    return std::make_optional<DistanceMaps>(device, data, maps.reflectors(), maps.infos(),
+                                            DistanceMaps::size_for(settings.size));
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -30,18 +34,33 @@ MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& 
       filled_light_(light),
       camera_(camera),
       settings_(settings),
+      map_settings_(map_settings),
+      kind_(kind),
       maps_(device, data, kind, map_settings),
+      distances_(make_distances(device, data, maps_, kind, map_settings)),
       light_cache_(device, data, light.settings),
       reflectors_(device, data, maps_.reflectors(), kind, maps_.faces(), map_settings.most_cut_pieces,
-                  with_map_size(scene.specialization(), map_settings.size), drawing_bindings()),
-      drawer_(device, data, with_map_size(scene.specialization(), map_settings.size), drawing_bindings(),
-              reflectors_, settings.width, settings.height) {}
+                  drawing_specialization(), drawing_bindings()),
+      drawer_(device, data, drawing_specialization(), drawing_bindings(), reflectors_, settings.width,
+              settings.height) {}
 
 Bindings MapRenderer::drawing_bindings() const {
     Bindings bindings = scene_.bindings();
     bindings.merge(light_cache_.bindings());
     bindings.merge(maps_.bindings());
+    if (distances_) bindings.merge(distances_->bindings());
     return bindings;
+}
+
+Specialization MapRenderer::drawing_specialization() const {
+    Specialization specialization = scene_.specialization();
+    specialization[interop::SPEC_MAP_SIZE] = map_settings_.size;
+    if (distances_) specialization[interop::SPEC_DISTANCE_SIZE] = distances_->size();
+    return specialization;
+}
+
+interop::CameraInfo MapRenderer::camera_info() const {
+    return make_camera_info(camera_, data_.origin, settings_.width, settings_.height);
 }
 
 void MapRenderer::prepare(Progress& progress) {
@@ -60,6 +79,10 @@ void MapRenderer::prepare(Progress& progress) {
     double capture_compile_seconds = 0.0;
     accumulate(statistics_.prepare_counts,
                maps_.capture(scene_, light_cache_, camera_, settings_, capture_compile_seconds, progress));
+    if (distances_) {
+        accumulate(statistics_.prepare_counts,
+                   distances_->capture(scene_, capture_compile_seconds, progress));
+    }
     statistics_.prepare_seconds += seconds_since(start) - capture_compile_seconds;
     statistics_.compile_seconds += capture_compile_seconds;
 }
@@ -81,11 +104,24 @@ double MapRenderer::reflect() {
 
 FrameCounts MapRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
     const double vertex_seconds = eye_moved_ ? reflect() : 0.0;
-    const interop::CameraInfo camera =
-        make_camera_info(camera_, data_.origin, settings_.width, settings_.height);
-    FrameCounts counts = drawer_.add_samples(film, camera, settings_.seed, count, progress);
+    FrameCounts counts = drawer_.add_samples(film, camera_info(), settings_.seed, count, progress);
     counts.gpu_seconds += vertex_seconds;
     return counts;
+}
+
+PredictionDrawer MapRenderer::make_prediction_drawer() {
+    UTSURI_CHECK(distances_.has_value());
+    if (eye_moved_) reflect();
+    return PredictionDrawer(device_, data_, kind_, maps_.faces().size(), drawing_specialization(),
+                            drawing_bindings(), reflectors_, settings_.width, settings_.height);
+}
+
+std::vector<PredictedError> MapRenderer::predict_errors() {
+    return make_prediction_drawer().predict(camera_info());
+}
+
+std::vector<MeasuredError> MapRenderer::measure_errors() {
+    return make_prediction_drawer().measure(camera_info());
 }
 
 }  // namespace utsuri

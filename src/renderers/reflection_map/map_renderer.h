@@ -2,7 +2,9 @@
 #pragma once
 
 #include "renderers/common/light_cache.h"
+#include "renderers/reflection_map/distance_maps.h"
 #include "renderers/reflection_map/frame_drawer.h"
+#include "renderers/reflection_map/prediction_drawer.h"
 #include "renderers/reflection_map/reflection_maps.h"
 
 #include <optional>
@@ -25,6 +27,11 @@ class MapRenderer : public Renderer {
     /// map stays turned the way the first eye looked.
     void look_from(const Camera& camera) override;
 
+    /// Errors of the look-ups at the pixel centres of the present view, row-major, top row first. Needs
+    /// MapSettings::predicts_errors, and prepare().
+    [[nodiscard]] std::vector<PredictedError> predict_errors();
+    [[nodiscard]] std::vector<MeasuredError> measure_errors();
+
     [[nodiscard]] const ReflectionMaps& maps() const { return maps_; }
     [[nodiscard]] const ReflectorDrawer& reflectors() const { return reflectors_; }
 
@@ -35,6 +42,9 @@ class MapRenderer : public Renderer {
     [[nodiscard]] Bindings drawing_bindings() const;
     /// The pass over the reflectors' polygons for the present eye.
     double reflect();
+    [[nodiscard]] Specialization drawing_specialization() const;
+    [[nodiscard]] interop::CameraInfo camera_info() const;
+    [[nodiscard]] PredictionDrawer make_prediction_drawer();
 
     Device& device_;
     const SceneData& data_;
@@ -43,7 +53,10 @@ class MapRenderer : public Renderer {
     Camera camera_;
     bool eye_moved_ = true;
     RenderSettings settings_;
+    MapSettings map_settings_;
+    MapKind kind_;
     ReflectionMaps maps_;
+    std::optional<DistanceMaps> distances_;
     LightCache light_cache_;
     ReflectorDrawer reflectors_;
     FrameDrawer drawer_;

@@ -220,7 +220,8 @@ interop::MapFace map_face(const Polyhedron& polyhedron, std::size_t face) {
     const auto coordinate = [&](const glm::dvec3& half) {
         return (half - glm::dot(half, picture.centre) * outward) / glm::dot(half, half);
     };
-    return {glm::vec3(outward), glm::vec3(coordinate(picture.right)), glm::vec3(coordinate(picture.up))};
+    return {glm::vec3(outward), glm::vec3(coordinate(picture.right)), glm::vec3(coordinate(picture.up)),
+            static_cast<float>(std::hypot(glm::length(picture.right), glm::length(picture.up)))};
 }
 
 }  // namespace utsuri

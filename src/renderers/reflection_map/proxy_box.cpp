@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/proxy_box.h"
 
+#include "renderers/reflection_map/view_directions.h"
+
 #include "geometry/reference_intersection.h"
 
 #include <glm/geometric.hpp>
@@ -9,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 namespace utsuri {
@@ -27,12 +28,7 @@ struct Sight {
 
 std::vector<Sight> look_around(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point) {
     std::vector<Sight> sights;
-    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    for (int i = 0; i < kDirections; ++i) {
-        const double z = 1.0 - (2.0 * i + 1.0) / kDirections;
-        const double radius = std::sqrt(1.0 - z * z);
-        const glm::dvec3 direction(radius * std::cos(golden_angle * i), radius * std::sin(golden_angle * i),
-                                   z);
+    for (const glm::dvec3& direction : view_directions(kDirections)) {
         const auto hit = closest_hit_reference(
             scene.bvh, point, direction, std::numeric_limits<double>::infinity(),
             [&](std::uint32_t triangle) { return scene.triangle_infos[triangle].instance != instance; });

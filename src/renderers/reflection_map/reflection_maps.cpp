@@ -52,8 +52,13 @@ std::vector<interop::ReflectorInfo> place_reflectors(const SceneData& data, cons
                                                         : find_capture_point(data, instance);
         Bounds proxy;
         if (kind == MapKind::proxy) proxy = fit_proxy_box(data, instance, point);
-        infos.push_back(
-            {glm::vec3(point), static_cast<std::uint32_t>(first_texel), proxy.lower, proxy.upper});
+        infos.push_back({glm::vec3(point),
+                         static_cast<std::uint32_t>(first_texel),
+                         proxy.lower,
+                         proxy.upper,
+                         {},
+                         {},
+                         {}});
         first_texel += maps * texels_per_map(settings.size);
     }
     return infos;
@@ -123,6 +128,12 @@ FrameCounts ReflectionMaps::capture(const GpuScene& scene, const LightCache& lig
                                     Progress& progress) {
     FrameCounts counts;
     if (infos_.empty()) return counts;
+    for (interop::ReflectorInfo& info : infos_) {
+        info.map_right = glm::vec3(eye.right);
+        info.map_up = glm::vec3(eye.up);
+        info.map_forward = glm::vec3(eye.forward);
+    }
+    reflector_infos_.upload(std::as_bytes(std::span(infos_)));
     Specialization specialization = scene.specialization();
     specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
     specialization[interop::SPEC_PROJECTION] =

@@ -28,6 +28,7 @@ struct MapSettings {
     /// Pieces of polygons cut along its faces that there is room for; polygons whose pieces find none are
     /// drawn whole, their faces found per pixel. Follows from the number of polygons if not set.
     std::optional<std::uint32_t> most_cut_pieces = std::nullopt;
+    bool predicts_errors = false;  ///< keep what MapRenderer::predict_errors() needs, whatever the method
 };
 
 /// Maps captured for every reflective instance by the tracing kernel, without the instance itself.

@@ -7,6 +7,7 @@
 #include "interop/specialization.h"
 #include "kernels/cut_polygons.h"
 #include "kernels/draw_cut_pieces_vert.h"
+#include "kernels/draw_distance_reflector_frag.h"
 #include "kernels/draw_reflector_frag.h"
 #include "kernels/draw_reflectors_vert.h"
 #include "kernels/draw_whole_pieces_vert.h"
@@ -55,12 +56,19 @@ std::uint32_t whole_map_kind(MapKind kind) {
             return interop::MAP_KIND_CUBE;
         case MapKind::proxy:
             return interop::MAP_KIND_PROXY;
+        case MapKind::distance:
+            return interop::MAP_KIND_DISTANCE;
     }
     fail_check(__FILE__, __LINE__, "a kind of map that cannot be drawn");
 }
 
-Specialization specialise(Specialization specialization, const SurfaceFeatures& features,
-                          std::uint32_t map_kind, std::size_t faces) {
+std::span<const std::uint32_t> whole_fragment(MapKind kind) {
+    if (kind == MapKind::distance) return kernels::draw_distance_reflector_frag;
+    return kernels::draw_reflector_frag;
+}
+
+Specialization add_constants(Specialization specialization, const SurfaceFeatures& features,
+                             std::uint32_t map_kind, std::size_t faces) {
     specialization[interop::SPEC_HAS_TEXTURES] = features.textured ? 1 : 0;
     specialization[interop::SPEC_HAS_GLOSSY] = features.glossy ? 1 : 0;
     specialization[interop::SPEC_MAP_KIND] = map_kind;
@@ -85,6 +93,7 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
                                  std::optional<std::uint32_t> most_cut_pieces,
                                  const Specialization& specialization, const Bindings& bindings)
     : device_(device),
+      features_(features_of(data, reflectors)),
       vertex_count_(static_cast<std::uint32_t>(reflectors.vertices.size())),
       clip_{static_cast<std::uint32_t>(reflectors.triangles.size()), static_cast<std::uint32_t>(faces.size()),
             kind == MapKind::polygon
@@ -107,34 +116,37 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
       draw_arguments_(device, 3 * sizeof(interop::DrawArguments), "draw arguments"),
       vertex_kernel_(device, "reflect_vertices", kernels::reflect_vertices, {},
                      sizeof(interop::ReflectVerticesPush)),
-      vertex_set_(vertex_kernel_.bind(all_bindings({}))),
-      whole_(device, "draw_reflectors", kernels::draw_reflectors_vert, kernels::draw_reflector_frag,
-             specialise(specialization, features_of(data, reflectors), whole_map_kind(kind), faces.size()),
-             sizeof(interop::RasterPush),
+      vertex_set_(vertex_kernel_.bind(with_polygons({}))),
+      whole_(device, "draw_reflectors", kernels::draw_reflectors_vert, whole_fragment(kind),
+             specialise(specialization, kind, faces.size()), sizeof(interop::RasterPush),
              {DepthTest::nearer, kind == MapKind::polygon ? kBehindPieces : 0.0f}),
-      whole_set_(whole_.bind(all_bindings(bindings))) {
+      whole_set_(whole_.bind(with_polygons(bindings))) {
     for (Buffer* buffer : {&whole_pieces_, &cut_pieces_, &cut_corners_, &draw_arguments_})
         buffer->fill_with_zero();
     if (kind == MapKind::polygon) {
         clipping_.emplace(make_clipping(
-            specialise(specialization, features_of(data, reflectors), interop::MAP_KIND_PIECES, faces.size()),
-            bindings));
+            add_constants(specialization, features_, interop::MAP_KIND_PIECES, faces.size()), bindings));
     }
 }
 
-Bindings ReflectorDrawer::all_bindings(Bindings bindings) const {
-    bindings.merge(Bindings{{interop::BINDING_REFLECTOR_VERTICES, &vertices_},
-                            {interop::BINDING_REFLECTOR_TRIANGLES, &triangles_},
-                            {interop::BINDING_VERTEX_REFLECTIONS, &vertex_reflections_},
-                            {interop::BINDING_MAP_FACES, &faces_},
-                            {interop::BINDING_STRADDLING, &straddling_},
-                            {interop::BINDING_DRAWN_POLYGONS, &drawn_polygons_},
-                            {interop::BINDING_CUT_COUNTS, &cut_counts_},
-                            {interop::BINDING_WHOLE_PIECES, &whole_pieces_},
-                            {interop::BINDING_CUT_PIECES, &cut_pieces_},
-                            {interop::BINDING_CUT_CORNERS, &cut_corners_},
-                            {interop::BINDING_DRAW_ARGUMENTS, &draw_arguments_}});
-    return bindings;
+Specialization ReflectorDrawer::specialise(const Specialization& others, MapKind kind,
+                                           std::size_t faces) const {
+    return add_constants(others, features_, whole_map_kind(kind), faces);
+}
+
+Bindings ReflectorDrawer::with_polygons(Bindings others) const {
+    others.merge(Bindings{{interop::BINDING_REFLECTOR_VERTICES, &vertices_},
+                          {interop::BINDING_REFLECTOR_TRIANGLES, &triangles_},
+                          {interop::BINDING_VERTEX_REFLECTIONS, &vertex_reflections_},
+                          {interop::BINDING_MAP_FACES, &faces_},
+                          {interop::BINDING_STRADDLING, &straddling_},
+                          {interop::BINDING_DRAWN_POLYGONS, &drawn_polygons_},
+                          {interop::BINDING_CUT_COUNTS, &cut_counts_},
+                          {interop::BINDING_WHOLE_PIECES, &whole_pieces_},
+                          {interop::BINDING_CUT_PIECES, &cut_pieces_},
+                          {interop::BINDING_CUT_CORNERS, &cut_corners_},
+                          {interop::BINDING_DRAW_ARGUMENTS, &draw_arguments_}});
+    return others;
 }
 
 ReflectorDrawer::TwoRuns ReflectorDrawer::make_two_runs(const std::string& name,
@@ -145,16 +157,16 @@ ReflectorDrawer::TwoRuns ReflectorDrawer::make_two_runs(const std::string& name,
     Kernel count(device_, name + ", counting", spirv, specialization, sizeof(interop::ClipPush));
     specialization[interop::SPEC_WRITES] = 1;
     Kernel write(device_, name + ", writing", spirv, specialization, sizeof(interop::ClipPush));
-    BindingSet count_set = count.bind(all_bindings({}));
+    BindingSet count_set = count.bind(with_polygons({}));
     BindingSet sum_set = prefix_sum.bind({{interop::BINDING_SUMMED_COUNTS, &counts}});
-    BindingSet write_set = write.bind(all_bindings({}));
+    BindingSet write_set = write.bind(with_polygons({}));
     return {std::move(count), std::move(write), std::move(count_set), std::move(sum_set),
             std::move(write_set)};
 }
 
 ReflectorDrawer::Clipping ReflectorDrawer::make_clipping(const Specialization& specialization,
                                                          const Bindings& bindings) const {
-    const Bindings all = all_bindings(bindings);
+    const Bindings all = with_polygons(bindings);
     Kernel prefix_sum(device_, "prefix_sum", kernels::prefix_sum, {}, sizeof(interop::PrefixSumPush));
     TwoRuns sort =
         make_two_runs("sort_polygons", kernels::sort_polygons, specialization, prefix_sum, straddling_);

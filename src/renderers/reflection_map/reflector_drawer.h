@@ -17,8 +17,14 @@ enum class MapKind {
     polygon,  ///< a polyhedron of maps in world space, reflection vectors per vertex
     sphere,   ///< one OpenGL 1.x sphere map in eye space, texture coordinates per vertex
     cube,     ///< a polyhedron of maps, reflection vectors per pixel
-    proxy     ///< the same, corrected by a box that stands in for the surroundings
+    proxy,    ///< the same, corrected by a box that stands in for the surroundings
+    distance  ///< the same, corrected by the distances kept beside the maps
 };
+
+/// Whether a kind of map keeps distances beside its radiance.
+constexpr bool keeps_distances(MapKind kind) {
+    return kind == MapKind::distance;
+}
 
 /// Draws the polygons of reflectors with what they reflect. Where reflection vectors are found per vertex,
 /// polygons that straddle faces of the polyhedron of maps are cut along the boundaries by a kernel, and the
@@ -42,6 +48,13 @@ class ReflectorDrawer {
 
     /// Records the draws, inside draw_into(), after the depth of what is not reflective.
     void draw(const vk::raii::CommandBuffer& commands, const interop::RasterPush& push) const;
+
+    [[nodiscard]] std::uint32_t polygon_count() const { return clip_.polygons; }
+    /// Buffers of the polygons and what their vertices reflect, added to others.
+    [[nodiscard]] Bindings with_polygons(Bindings others) const;
+    /// Constants of the stages that draw whole polygons as a kind of map would, added to others.
+    [[nodiscard]] Specialization specialise(const Specialization& others, MapKind kind,
+                                            std::size_t faces) const;
 
     /// What the last look_from() made of the polygons, for tests and statistics.
     struct Pieces {
@@ -71,7 +84,6 @@ class ReflectorDrawer {
         BindingSet draw_cut_set;
     };
 
-    [[nodiscard]] Bindings all_bindings(Bindings bindings) const;
     [[nodiscard]] TwoRuns make_two_runs(const std::string& name, std::span<const std::uint32_t> spirv,
                                         Specialization specialization, const Kernel& prefix_sum,
                                         const Buffer& counts) const;
@@ -80,6 +92,7 @@ class ReflectorDrawer {
     void run_twice(const vk::raii::CommandBuffer& commands, const TwoRuns& runs) const;
 
     Device& device_;
+    SurfaceFeatures features_;
     std::uint32_t vertex_count_;
     interop::ClipPush clip_{};
     Buffer vertices_;

@@ -44,7 +44,6 @@ TEST(Method, AllMethodsAreDistinctAndTracingComesFirst) {
     std::set<std::string> names;
     for (const Method& method : methods)
         names.insert(method_name(method));
-    EXPECT_EQ(methods.size(), 5u);
     EXPECT_EQ(names.size(), methods.size());
     EXPECT_EQ(methods.front().reflection, ReflectionMethod::trace);
 }

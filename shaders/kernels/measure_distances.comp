@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far what surrounds a reflector is from its capture point: two rays a texel.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "kernels/scene_bindings.glsl"
+#include "interop/distance_map.h"
+#include "lib/bsdf.glsl"
+#include "lib/cube.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(constant_id = SPEC_DISTANCE_SIZE) const uint DISTANCE_SIZE = 256u;
+
+layout(push_constant, scalar) uniform Push { MeasureDistancesPush push; };
+
+layout(scalar, binding = BINDING_DISTANCE_SAMPLES) writeonly restrict buffer DistanceSamples {
+    DistanceSample distance_samples[];
+};
+
+/// @param place in texels from the face's corner of least coordinates
+float measure(vec2 place) {
+    vec2 p = place * (2.0 / float(DISTANCE_SIZE)) - 1.0;
+    vec3 direction = cube_vector(vec3(p, 1.0), push.face);
+    Hit hit = closest_hit(make_ray(push.capture_point, direction, NONE, push.excluded_instance));
+    if (hit.triangle == NONE) return INFINITY;
+    vec3 point = push.capture_point + hit.t * direction;
+    bool is_plane = push.plane_normal != vec3(0.0);
+    if (is_plane && dot(push.plane_normal, point) <= push.plane_distance) return 0.0;
+    float distance = hit.t * sqrt(1.0 + dot(p, p));
+    return is_specular(make_surface(hit, direction)) ? -distance : distance;
+}
+
+void main() {
+    uint index = push.begin + gl_GlobalInvocationID.x;
+    if (index >= push.end) return;
+    uint stride = DISTANCE_SIZE + 2u * DISTANCE_BORDER;
+    vec2 texel = vec2(index % stride, index / stride) - float(DISTANCE_BORDER);
+    distance_samples[push.first_sample + index] = DistanceSample(measure(texel + 0.5), measure(texel), 0.0);
+}

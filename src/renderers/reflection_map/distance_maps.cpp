@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection_map/distance_maps.h"
+
+#include "renderers/reflection_map/reflector_shape.h"
+
+#include "base/error.h"
+#include "gpu/dispatch_budget.h"
+
+#include "interop/bindings.h"
+#include "interop/specialization.h"
+#include "kernels/bound_distances.h"
+#include "kernels/measure_distances.h"
+#include "kernels/reduce_bounds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+
+namespace utsuri {
+namespace {
+
+constexpr std::uint32_t kGroupSize = 64;
+
+std::uint32_t samples_per_face(std::uint32_t size) {
+    const std::uint32_t stride = size + 2 * interop::DISTANCE_BORDER;
+    return stride * stride;
+}
+
+/// Where a level begins among the bounds of a face: levels of size^2, size^2 / 4, ... texels come before it.
+std::uint32_t first_of_level(std::uint32_t size, std::uint32_t level) {
+    const std::uint32_t at_level = size >> level;
+    return 4 * (size * size - at_level * at_level) / 3;
+}
+
+std::uint32_t levels(std::uint32_t size) {
+    return static_cast<std::uint32_t>(std::bit_width(size));
+}
+
+std::uint32_t bounds_per_face(std::uint32_t size) {
+    return first_of_level(size, levels(size) - 1) + 1;
+}
+
+std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const SceneData& data,
+                                                 const Reflectors& reflectors,
+                                                 const std::vector<interop::ReflectorInfo>& infos,
+                                                 std::uint32_t size) {
+    const std::uint64_t samples =
+        std::uint64_t{infos.size()} * interop::DISTANCE_FACES * samples_per_face(size);
+    const std::uint64_t limit = device.summary().storage_range_bytes;
+    if (samples * sizeof(interop::DistanceSample) > limit) {
+        throw UsageError(
+            "measure distances", fmt::format("at {} texels for {} reflective objects", size, infos.size()),
+            fmt::format("they need {} MiB and {} can see {} MiB of a buffer; use a smaller --map-size",
+                        samples * sizeof(interop::DistanceSample) >> 20, device.summary().name, limit >> 20));
+    }
+    std::vector<interop::DistanceMapInfo> maps;
+    for (std::uint32_t i = 0; i < infos.size(); ++i) {
+        const ReflectorShape shape = describe_shape(data, reflectors.instances[i]);
+        interop::DistanceMapInfo map{};
+        map.first_sample = i * interop::DISTANCE_FACES * samples_per_face(size);
+        map.first_bounds = i * interop::DISTANCE_FACES * bounds_per_face(size);
+        map.mirrors_itself = shape.convex ? 0 : 1;
+        if (shape.plane) {
+            map.plane_normal = glm::vec3(shape.plane->normal);
+            map.plane_distance = static_cast<float>(shape.plane->distance);
+        }
+        maps.push_back(map);
+    }
+    return maps;
+}
+
+template <typename Record>
+std::uint64_t buffer_bytes(std::size_t reflectors, std::uint32_t records_per_face) {
+    return std::max<std::uint64_t>(1,
+                                   std::uint64_t{reflectors} * interop::DISTANCE_FACES * records_per_face) *
+           sizeof(Record);
+}
+
+std::uint32_t groups(std::uint32_t invocations) {
+    return (invocations + kGroupSize - 1) / kGroupSize;
+}
+
+}  // namespace
+
+std::uint32_t DistanceMaps::size_for(std::uint32_t map_size) {
+    return std::min(std::bit_ceil(map_size), kLargestDistanceMap);
+}
+
+std::uint64_t DistanceMaps::bytes(std::uint32_t size) {
+    return interop::DISTANCE_FACES * (samples_per_face(size) * sizeof(interop::DistanceSample) +
+                                      bounds_per_face(size) * sizeof(interop::DistanceBounds));
+}
+
+DistanceMaps::DistanceMaps(Device& device, const SceneData& data, const Reflectors& reflectors,
+                           const std::vector<interop::ReflectorInfo>& infos, std::uint32_t size)
+    : device_(&device),
+      instances_(reflectors.instances),
+      reflectors_(infos),
+      size_(size),
+      infos_(place_maps(device, data, reflectors, infos, size)),
+      info_buffer_(make_buffer<interop::DistanceMapInfo>(device, infos_, "distance maps")),
+      samples_(device, buffer_bytes<interop::DistanceSample>(infos.size(), samples_per_face(size)),
+               "distances"),
+      bounds_(device, buffer_bytes<interop::DistanceBounds>(infos.size(), bounds_per_face(size)),
+              "bounds of distances") {}
+
+FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_compile, Progress& progress) {
+    FrameCounts counts;
+    if (infos_.empty()) return counts;
+    const auto start = std::chrono::steady_clock::now();
+    Specialization specialization = scene.specialization();
+    specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
+    specialization[interop::SPEC_DISTANCE_SIZE] = size_;
+    Bindings bindings = scene.bindings();
+    bindings.merge(this->bindings());
+    const Kernel measure(*device_, "measure_distances", kernels::measure_distances, specialization,
+                         sizeof(interop::MeasureDistancesPush));
+    const Kernel bound(*device_, "bound_distances", kernels::bound_distances, specialization,
+                       sizeof(interop::BoundDistancesPush));
+    const Kernel reduce(*device_, "reduce_bounds", kernels::reduce_bounds, {},
+                        sizeof(interop::BoundDistancesPush));
+    const BindingSet measure_set = measure.bind(bindings);
+    const BindingSet bound_set = bound.bind(bindings);
+    const BindingSet reduce_set = reduce.bind(bindings);
+    device_->run("compile kernels", [&](const vk::raii::CommandBuffer& commands) {
+        measure.dispatch(commands, measure_set, interop::MeasureDistancesPush{}, 1);
+        bound.dispatch(commands, bound_set, interop::BoundDistancesPush{}, 1);
+        reduce.dispatch(commands, reduce_set, interop::BoundDistancesPush{}, 1);
+    });
+    seconds_to_compile += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    DispatchBudget budget;
+    const std::uint32_t per_face = samples_per_face(size_);
+    const auto faces = static_cast<std::uint32_t>(infos_.size()) * interop::DISTANCE_FACES;
+    for (std::uint32_t i = 0; i < faces; ++i) {
+        if (progress.cancelled()) throw Interrupted();
+        const std::uint32_t reflector = i / interop::DISTANCE_FACES;
+        const std::uint32_t face = i % interop::DISTANCE_FACES;
+        const interop::DistanceMapInfo& map = infos_[reflector];
+        interop::MeasureDistancesPush push{};
+        push.capture_point = reflectors_[reflector].capture_point;
+        push.plane_normal = map.plane_normal;
+        push.plane_distance = map.plane_distance;
+        push.excluded_instance = instances_[reflector];
+        push.first_sample = map.first_sample + face * per_face;
+        push.face = face;
+        for (push.begin = 0; push.begin < per_face; push.begin = push.end) {
+            const std::uint64_t fitting = std::clamp<std::uint64_t>(budget.next_units(), kGroupSize,
+                                                                    std::uint64_t{kMaxGroups} * kGroupSize);
+            push.end = static_cast<std::uint32_t>(std::min<std::uint64_t>(per_face, push.begin + fitting));
+            const double seconds =
+                device_->run("measure distances", [&](const vk::raii::CommandBuffer& commands) {
+                    measure.dispatch(commands, measure_set, push, groups(push.end - push.begin));
+                });
+            budget.record(push.end - push.begin, seconds);
+            counts.gpu_seconds += seconds;
+        }
+        counts.rays += std::uint64_t{2} * per_face;
+        const std::uint32_t first = map.first_bounds + face * bounds_per_face(size_);
+        counts.gpu_seconds += device_->run("bound distances", [&](const vk::raii::CommandBuffer& commands) {
+            bound.dispatch(commands, bound_set, interop::BoundDistancesPush{push.first_sample, first, size_},
+                           groups(size_ * size_));
+            for (std::uint32_t level = 1; level < levels(size_); ++level) {
+                const std::uint32_t size = size_ >> level;
+                const interop::BoundDistancesPush next{first + first_of_level(size_, level - 1),
+                                                       first + first_of_level(size_, level), size};
+                reduce.dispatch(commands, reduce_set, next, groups(size * size));
+            }
+        });
+        progress.update(i + 1, faces);
+    }
+    return counts;
+}
+
+Bindings DistanceMaps::bindings() const {
+    return {{interop::BINDING_DISTANCE_MAPS, &info_buffer_},
+            {interop::BINDING_DISTANCE_SAMPLES, &samples_},
+            {interop::BINDING_DISTANCE_BOUNDS, &bounds_}};
+}
+
+std::vector<interop::DistanceSample> DistanceMaps::samples(std::uint32_t reflector,
+                                                           std::uint32_t face) const {
+    std::vector<interop::DistanceSample> result(samples_per_face(size_));
+    const std::uint64_t first = infos_[reflector].first_sample + std::uint64_t{face} * result.size();
+    samples_.download(std::as_writable_bytes(std::span(result)), first * sizeof(interop::DistanceSample));
+    return result;
+}
+
+std::vector<interop::DistanceBounds> DistanceMaps::bounds(std::uint32_t reflector, std::uint32_t face,
+                                                          std::uint32_t level) const {
+    const std::uint32_t edge = size_ >> level;
+    std::vector<interop::DistanceBounds> result(std::size_t{edge} * edge);
+    const std::uint64_t first = infos_[reflector].first_bounds +
+                                std::uint64_t{face} * bounds_per_face(size_) + first_of_level(size_, level);
+    bounds_.download(std::as_writable_bytes(std::span(result)), first * sizeof(interop::DistanceBounds));
+    return result;
+}
+
+}  // namespace utsuri

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/common/gpu_scene.h"
+#include "renderers/reflection_map/reflector_drawer.h"
+
+#include "gpu/raster_pipeline.h"
+
+#include "interop/raster.h"
+
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace utsuri {
+
+/// How wrong a look-up can be, at the centre of a pixel. All are -1 where no mirror is seen.
+struct PredictedError {
+    float parallax;  ///< radians at the capture point, at most: what is mirrored is not infinitely far, or
+                     ///< not where the method takes it to be
+    float interpolation;  ///< radians: per vertex instead of per pixel
+    float texel;          ///< radians: half the diagonal of a texel
+    float pixels;  ///< by how many pixels what is shown can be off its place; infinity where nothing is known
+};
+
+/// How wrong it is, told by the ray that it stands in for. All are -1 where no mirror is seen.
+struct MeasuredError {
+    float angle;     ///< radians at the capture point
+    float pixels;    ///< by how many pixels what is shown is off its place
+    float distance;  ///< metres that the mirrored ray goes; infinity where it meets nothing
+    float seen;      ///< 1 where the capture point sees what the ray meets, else 0
+};
+
+/// Draws the errors of a method's look-ups instead of what they show.
+class PredictionDrawer {
+  public:
+    /// @param kind whose look-ups
+    /// @param specialization of the fragment stage, with map and distance sizes
+    /// @param bindings of scene, light cache, maps and distance maps
+    /// @param reflectors whose vertices have been reflected for the eye
+    PredictionDrawer(Device& device, const SceneData& data, MapKind kind, std::size_t faces,
+                     const Specialization& specialization, const Bindings& bindings,
+                     const ReflectorDrawer& reflectors, std::uint32_t width, std::uint32_t height);
+
+    /// Row-major, top row first.
+    [[nodiscard]] std::vector<PredictedError> predict(const interop::CameraInfo& camera);
+    [[nodiscard]] std::vector<MeasuredError> measure(const interop::CameraInfo& camera);
+
+  private:
+    struct Stage {
+        RasterPipeline pipeline;
+        BindingSet bindings;
+    };
+    [[nodiscard]] Stage make_stage(const char* name, std::span<const std::uint32_t> fragment,
+                                   const Specialization& specialization, Bindings bindings) const;
+    [[nodiscard]] std::vector<glm::vec4> draw(const Stage& stage, const interop::CameraInfo& camera);
+
+    Device& device_;
+    float near_plane_;
+    Attachment colour_;
+    Attachment depth_;
+    Buffer rows_;
+    std::uint32_t rows_per_copy_;
+    Buffer triangles_;
+    std::uint32_t triangle_count_;
+    Buffer polygons_;
+    std::uint32_t polygon_count_;
+    RasterPipeline depth_pass_;
+    BindingSet depth_bindings_;
+    Stage predict_;
+    Stage measure_;
+};
+
+}  // namespace utsuri

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// direct/distance-map, the distances it searches, and predictions of errors, in the worked room of
+// proxy_map_test.cpp: mirror z = 0, eye (1, 1.6, 4), capture point (2, 1.5, 2.5).
+#include "renderers/reflection_map/distance_maps.h"
+#include "support/coded_room.h"
+#include "support/light_scenes.h"
+#include "support/test_device.h"
+
+#include "geometry/reference_intersection.h"
+
+#include "map_observer.h"
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace utsuri::test {
+namespace {
+
+constexpr unsigned kLowerZ = 1u << 4;
+constexpr std::uint32_t kSize = 128;
+/// Texels of 2 / N rad at the centre of a face, looked at to a quarter, as in polygon_map_test.cpp.
+constexpr double kTexel = 0.25 * 2.0 / kSize;
+
+const CodedRoom kRoom({0, 0, 0}, {4, 3, 5});
+const glm::dvec3 kEye(1, 1.6, 4);
+const glm::dvec3 kCapturePoint(2, 1.5, 2.5);
+
+struct WorkedPoint {
+    glm::dvec3 mirror;
+    glm::dvec3 hit;
+    double infinite_error;  ///< degrees: sin e = |r x (p - c)| / |q - c|
+    double slack;  ///< radians, of predictions: two texels where a wall ends within two, else rounding
+};
+const std::array<WorkedPoint, 4> kWorkedPoints = {{{{2.5, 2, 0}, {4, 2.4, 4}, 34.8143228, 1e-3},
+                                                   {{2, 1.5, 0}, {3.25, 1.375, 5}, 12.5757808, 1e-3},
+                                                   {{1, 1, 0}, {1, 0.25, 5}, 26.4533641, 1e-3},
+                                                   {{3, 2.5, 0}, {4, 2.95, 2}, 73.2946167, 4.0 / kSize}}};
+
+Scene room_with_mirror_wall() {
+    Scene scene;
+    kRoom.add_to(scene, kLowerZ);
+    add(scene, quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0}), mirror());
+    return scene;
+}
+
+/// The same with a box against the wall that the mirror faces.
+Scene furnished_room() {
+    Scene scene = room_with_mirror_wall();
+    add(scene, block({1.5f, 0, 4.0f}, {3.0f, 1.2f, 4.999f}), emitter({2.0f, 0.5f, 1.5f}));
+    return scene;
+}
+
+class DistanceMap : public DeviceTest {
+  protected:
+    /// Errors at one pixel whose centre is aimed at a point of the mirror.
+    struct Errors {
+        PredictedError predicted;
+        MeasuredError measured;
+    };
+    static Errors errors_at(const Scene& scene, MapKind kind, const glm::dvec3& target) {
+        const SceneData data = prepare_scene_data(scene);
+        const GpuScene gpu_scene(device(), data);
+        FilledLight light;
+        light.settings = {1.0 / 20.0, 1};
+        MapSettings settings = map_settings(kSize, kCapturePoint);
+        settings.samples = 1;
+        settings.predicts_errors = true;
+        RenderSettings picture;
+        picture.width = picture.height = 1;
+        MapRenderer renderer(device(), data, gpu_scene, light, look_at(kEye, target, 1e-3), kind, picture,
+                             settings);
+        Progress progress;
+        renderer.prepare(progress);
+        return {renderer.predict_errors().front(), renderer.measure_errors().front()};
+    }
+};
+
+// The room's walls are planes: interpolating their inverse depths is exact, whatever the texels.
+TEST_F(DistanceMap, ShowsTheTrueHitsInAnEmptyRoom) {
+    MapObserver observer(device(), room_with_mirror_wall(), MapKind::distance,
+                         map_settings(kSize, kCapturePoint));
+    for (const WorkedPoint& point : kWorkedPoints) {
+        const glm::dvec3 seen = kRoom.decode(observer.look(kEye, point.mirror, 4).mean);
+        EXPECT_LE(angle_between(seen - kCapturePoint, point.hit - kCapturePoint), kTexel)
+            << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
+    }
+}
+
+TEST_F(DistanceMap, ShowsFurnitureWhereItIs) {
+    Scene scene = room_with_mirror_wall();
+    add(scene, quad({2.4f, 0.8f, 3.3f}, {0, 1.2f, 0}, {1.2f, 0, 0}), emitter({2.0f, 0.5f, 1.5f}));
+    RenderSettings picture;
+    picture.width = 96;
+    picture.height = 72;
+    const Camera camera = look_at(kEye, {2.2, 1.0, 0}, 0.9);
+    const Image truth = trace(device(), scene, camera, picture, 16).image;
+    /// Share of the pixels whose truth the capture point sees that show something else.
+    const auto wrong_share = [&](MapKind kind) {
+        const SceneData data = prepare_scene_data(scene);
+        const GpuScene gpu_scene(device(), data);
+        FilledLight light;
+        light.settings = {1.0 / 20.0, 1};
+        MapSettings settings = map_settings(kSize, kCapturePoint);
+        settings.predicts_errors = true;
+        MapRenderer renderer(device(), data, gpu_scene, light, camera, kind, picture, settings);
+        Film film(device(), picture.width, picture.height, "furnished room");
+        Progress progress;
+        renderer.prepare(progress);
+        renderer.add_samples(film, 16, progress);
+        const Image image = film.resolve();
+        const std::vector<MeasuredError> measured = renderer.measure_errors();
+        std::size_t wrong = 0;
+        std::size_t seen = 0;
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+            if (measured[i].seen != 1.0f) continue;
+            ++seen;
+            wrong += glm::length(image.pixels[i] - truth.pixels[i]) > 0.2f ? 1 : 0;
+        }
+        return static_cast<double>(wrong) / static_cast<double>(seen);
+    };
+    // The panel's outline, some hundred pixels long, may be off by a texel, half a pixel here.
+    const double outline = 100.0 / (96.0 * 72.0);
+    EXPECT_LE(wrong_share(MapKind::distance), outline);
+    EXPECT_GE(wrong_share(MapKind::proxy), 1.5 * outline);
+}
+
+TEST_F(DistanceMap, ErrorsOfTheInfiniteMapAreThoseOfItsTheory) {
+    for (const WorkedPoint& point : kWorkedPoints) {
+        const Errors errors = errors_at(room_with_mirror_wall(), MapKind::cube, point.mirror);
+        const double expected = point.infinite_error * std::numbers::pi / 180.0;
+        // The eye's direction is float32; predictions see walls through texels, exactly but for rounding.
+        EXPECT_NEAR(static_cast<double>(errors.measured.angle), expected, 1e-5);
+        EXPECT_NEAR(static_cast<double>(errors.predicted.parallax), expected, point.slack);
+        EXPECT_GE(errors.predicted.parallax + errors.predicted.texel, errors.measured.angle);
+        EXPECT_EQ(errors.measured.seen, 1.0f);
+        EXPECT_NEAR(static_cast<double>(errors.measured.distance), glm::distance(point.hit, point.mirror),
+                    1e-4);
+    }
+}
+
+// B5: a plane mirror puts what is seen at angle e from the capture point by D e / ((l + t) w) pixels off.
+TEST_F(DistanceMap, AnglesBecomePixelsByTheWayTheLightGoes) {
+    const WorkedPoint& point = kWorkedPoints[1];
+    const Errors errors = errors_at(room_with_mirror_wall(), MapKind::cube, point.mirror);
+    const double way = glm::distance(kEye, point.mirror) + glm::distance(point.mirror, point.hit);
+    const double pixel = 2.0 * std::tan(0.5e-3);
+    const double expected =
+        static_cast<double>(errors.measured.angle) * glm::distance(point.hit, kCapturePoint) / (way * pixel);
+    EXPECT_NEAR(static_cast<double>(errors.measured.pixels), expected, 1e-4 * expected);
+}
+
+TEST_F(DistanceMap, ProxyIsPredictedToBeRightWhereItIs) {
+    for (const WorkedPoint& point : kWorkedPoints) {
+        const Errors errors = errors_at(room_with_mirror_wall(), MapKind::proxy, point.mirror);
+        EXPECT_LE(errors.measured.angle, 1e-5f);
+        EXPECT_LE(static_cast<double>(errors.predicted.parallax), point.slack);
+    }
+}
+
+// The box hides the wall behind it from the capture point; the mirror's lower corners see it.
+TEST_F(DistanceMap, WhatIsHiddenIsPredictedAsUnknown) {
+    Scene scene = room_with_mirror_wall();
+    add(scene, quad({1.0f, 0.5f, 4.0f}, {2.0f, 0, 0}, {0, 2.0f, 0}), emitter({2.0f, 0.5f, 1.5f}));
+    bool found = false;
+    for (int i = 0; i <= 20; ++i) {
+        const Errors errors = errors_at(scene, MapKind::distance, {0.1 + 0.19 * i, 1.5, 0});
+        if (errors.measured.seen > 0.0f) continue;
+        found = true;
+        EXPECT_GE(errors.predicted.parallax + errors.predicted.texel, errors.measured.angle);
+        EXPECT_GT(errors.predicted.parallax, 0.1f);
+    }
+    EXPECT_TRUE(found);
+}
+
+TEST_F(DistanceMap, DistancesAreThoseOfTheSceneAndBoundsHoldThem) {
+    const Scene scene = furnished_room();
+    const SceneData data = prepare_scene_data(scene);
+    const GpuScene gpu_scene(device(), data);
+    const MapSettings settings = map_settings(16, kCapturePoint);
+    const ReflectionMaps maps(device(), data, MapKind::distance, settings);
+    DistanceMaps distances(device(), data, maps.reflectors(), maps.infos(), 16);
+    Progress progress;
+    double seconds = 0.0;
+    distances.capture(gpu_scene, seconds, progress);
+    const std::uint32_t stride = 16 + 2 * interop::DISTANCE_BORDER;
+    const glm::dvec3 point = kCapturePoint - data.origin;
+    const std::uint32_t reflector = maps.reflectors().instances.front();
+    // Face +x: u is y, v is z.
+    const auto samples = distances.samples(0, 0);
+    ASSERT_EQ(samples.size(), stride * stride);
+    for (std::uint32_t y = 0; y < stride; ++y) {
+        for (std::uint32_t x = 0; x < stride; ++x) {
+            const glm::dvec3 direction(1.0, (2.0 * x - 1.0) / 16 - 1.0, (2.0 * y - 1.0) / 16 - 1.0);
+            const auto hit = closest_hit_reference(data.bvh, point, direction, 100.0, [&](std::uint32_t t) {
+                return data.triangle_infos[t].instance != reflector;
+            });
+            ASSERT_TRUE(hit || direction.z < 0.0);
+            // The mirror is the wall z = 0: what is seen through it can never be mirrored.
+            if (!hit) continue;
+            const double expected = hit->t * glm::length(direction);
+            EXPECT_NEAR(static_cast<double>(samples[y * stride + x].centre), expected, 1e-5 * expected);
+        }
+    }
+    float nearest = std::numeric_limits<float>::infinity();
+    float farthest = 0.0f;
+    for (const interop::DistanceSample& sample : samples) {
+        for (const float distance : {sample.centre, sample.corner}) {
+            // The corner behind the mirror counts as infinitely far.
+            if (distance > 0.0f) nearest = std::min(nearest, distance);
+            farthest =
+                std::max(farthest, distance > 0.0f ? distance : std::numeric_limits<float>::infinity());
+        }
+    }
+    const auto top = distances.bounds(0, 0, 4);
+    ASSERT_EQ(top.size(), 1u);
+    EXPECT_EQ(top.front().nearest, nearest);
+    EXPECT_EQ(top.front().farthest, farthest);
+    const auto finest = distances.bounds(0, 0, 0);
+    for (std::uint32_t y = 0; y < 16; ++y) {
+        for (std::uint32_t x = 0; x < 16; ++x) {
+            const interop::DistanceBounds& bounds = finest[y * 16 + x];
+            for (std::uint32_t i = 0; i < 9; ++i) {
+                const float centre = samples[(y + i / 3) * stride + x + i % 3].centre;
+                if (centre > 0.0f) {
+                    EXPECT_LE(bounds.nearest, centre);
+                }
+                EXPECT_GE(bounds.farthest, centre);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace utsuri::test

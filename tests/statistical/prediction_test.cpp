@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Predicted errors of look-ups hold what rays measure: over scenes, methods and random eyes.
+#include "import/gltf.h"
+#include "renderers/reflection_map/map_renderer.h"
+#include "support/methods.h"
+#include "support/test_device.h"
+
+#include "geometry/reference_intersection.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace utsuri::test {
+namespace {
+
+constexpr std::uint32_t kWidth = 96;
+constexpr std::uint32_t kHeight = 72;
+constexpr int kEyes = 6;
+
+struct Tally {
+    std::size_t pixels = 0;
+    std::size_t parallax_pixels = 0;  ///< the capture point sees what the ray meets
+    std::size_t parallax_above = 0;   ///< of those, measured above predicted
+    std::size_t above = 0;
+    std::vector<double> ratios;  ///< measured over predicted, where that is more than a texel
+
+    double median() {
+        if (ratios.empty()) return 0.0;
+        const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+        std::nth_element(ratios.begin(), middle, ratios.end());
+        return *middle;
+    }
+};
+
+void add_view(Tally& tally, const std::vector<PredictedError>& predicted,
+              const std::vector<MeasuredError>& measured) {
+    ASSERT_EQ(predicted.size(), measured.size());
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+        if (predicted[i].parallax < 0.0f) continue;
+        const double bound =
+            static_cast<double>(predicted[i].parallax + predicted[i].interpolation + predicted[i].texel);
+        const auto angle = static_cast<double>(measured[i].angle);
+        const bool above = angle > bound;
+        ++tally.pixels;
+        tally.above += above ? 1 : 0;
+        if (measured[i].seen > 0.0f) {
+            ++tally.parallax_pixels;
+            tally.parallax_above += above ? 1 : 0;
+        }
+        if (bound > 2.0 * static_cast<double>(predicted[i].texel)) tally.ratios.push_back(angle / bound);
+    }
+}
+
+/// Eyes that each look at the front of a reflector.
+std::vector<Camera> random_eyes(const Scene& scene, const SceneData& data, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    std::vector<Camera> eyes;
+    const auto& reflective = data.requirements.reflective_instances;
+    while (eyes.size() < kEyes && !reflective.empty()) {
+        const glm::dvec3 lower = glm::dvec3(data.bounds.lower) + data.origin;
+        const glm::dvec3 size(data.bounds.extent());
+        const glm::dvec3 eye = lower + size * glm::dvec3(share(random), share(random), share(random));
+        const std::uint32_t instance = reflective[random() % reflective.size()];
+        const Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
+        const glm::vec3 vertex = mesh.positions[random() % mesh.positions.size()];
+        const glm::dvec3 target(scene.instances[instance].world_from_object *
+                                glm::dvec4(glm::dvec3(vertex), 1));
+        const auto hit = closest_hit_reference(data.bvh, eye - data.origin, target - eye, 2.0);
+        if (hit && !hit->back_face && data.triangle_infos[hit->triangle].instance == instance)
+            eyes.push_back(look_at(eye, target, 0.9));
+    }
+    return eyes;
+}
+
+constexpr std::array kKinds = {std::pair{MapKind::polygon, "polygon"}, std::pair{MapKind::sphere, "sphere"},
+                               std::pair{MapKind::cube, "cube"}, std::pair{MapKind::proxy, "proxy"},
+                               std::pair{MapKind::distance, "distance"}};
+
+class PredictedErrors : public DeviceTest {
+  protected:
+    static Tally tally(const SceneData& data, const GpuScene& gpu_scene, FilledLight& light,
+                       const std::vector<Camera>& eyes, MapKind kind) {
+        MapSettings settings;
+        settings.size = 256;
+        settings.samples = 1;
+        settings.predicts_errors = true;
+        RenderSettings picture;
+        picture.width = kWidth;
+        picture.height = kHeight;
+        MapRenderer renderer(device(), data, gpu_scene, light, eyes.front(), kind, picture, settings);
+        Progress progress;
+        renderer.prepare(progress);
+        Tally result;
+        for (const Camera& eye : eyes) {
+            renderer.look_from(eye);
+            add_view(result, renderer.predict_errors(), renderer.measure_errors());
+        }
+        return result;
+    }
+
+    static void expect_bounds(const Scene& scene) {
+        const SceneData data = prepare_scene_data(scene);
+        const GpuScene gpu_scene(device(), data);
+        FilledLight light;
+        light.settings = {1.0 / 20.0, 1};  // light does not matter here
+        const std::vector<Camera> eyes = random_eyes(scene, data, 1);
+        for (const auto& [kind, name] : kKinds) {
+            Tally result = tally(data, gpu_scene, light, eyes, kind);
+            EXPECT_GT(result.parallax_pixels, 1000u) << name;
+            EXPECT_EQ(result.parallax_above, 0u) << name << ", of " << result.parallax_pixels;
+            // What is thinner than a texel may have been missed by all rays that measure distances.
+            EXPECT_LE(static_cast<double>(result.above), 1e-3 * static_cast<double>(result.pixels)) << name;
+            // Distance maps are predicted to be off only where the capture point cannot tell: mostly they are
+            // not.
+            if (kind != MapKind::distance) {
+                EXPECT_GT(result.median(), 0.5) << name;
+            }
+        }
+    }
+    static void expect_bounds_of(const std::string& name) {
+        const auto path = std::filesystem::path(UTSURI_SOURCE_DIR) / "scenes" / name / (name + ".glb");
+        expect_bounds(import_gltf(path).scene);
+    }
+};
+
+TEST_F(PredictedErrors, Everything) {
+    expect_bounds(everything_scene());
+}
+TEST_F(PredictedErrors, Office) {
+    expect_bounds_of("office");
+}
+TEST_F(PredictedErrors, Spheres) {
+    expect_bounds_of("spheres");
+}
+
+}  // namespace
+}  // namespace utsuri::test
