@@ -37,6 +37,20 @@ Surface drawn_surface() {
     return surface;
 }
 
+/// What a ray of the rough lobe brings of the lights.
+vec3 lobe_light(Surface surface, vec3 wo, uint key, uint index, uint dimension) {
+    LobeSample lobe = sample_lobe(surface, wo, key, index, dimension);
+    if (lobe.throughput == vec3(0.0)) return vec3(0.0);
+    Hit hit = closest_hit(make_ray(leave_surface(surface, lobe.direction), lobe.direction, surface.triangle, NONE));
+    vec3 radiance = vec3(0.0);
+    if (hit.triangle != NONE) {
+        radiance = make_surface(hit, lobe.direction).emission;
+    } else if (HAS_ENVIRONMENT) {
+        radiance = lights[ENVIRONMENT_LIGHT].intensity;
+    }
+    return lobe_weight(lobe, hit) * lobe.throughput * radiance;
+}
+
 /// @param wo unit, to the eye
 vec3 drawn_light(vec3 wo, out Surface surface) {
     if (HAS_GLOSSY) {
@@ -45,7 +59,8 @@ vec3 drawn_light(vec3 wo, out Surface surface) {
         if (is_glossy(surface)) {
             uint key = sampler_key(uvec2(gl_FragCoord.xy), push.seed, push.sample_index & 1u);
             uint rays = 0u;
-            return surface.emission + direct_light(surface, wo, key, push.sample_index >> 1, 1u, NONE, rays);
+            return surface.emission + direct_light(surface, wo, key, push.sample_index >> 1, 1u, NONE, rays) +
+                   lobe_light(surface, wo, key, push.sample_index >> 1, 1u);
         }
     } else {
         surface = drawn_surface();

@@ -1,33 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
-// A camera ray and what it meets by way of perfect mirrors, followed to a depth (Whitted 1980). The including kernel
-// defines before what light a surface sends out, its own emission and its mirror image excepted:
+// A camera ray and what it meets by way of specular lobes, followed to a depth: perfect mirrors (Whitted 1980), and rough
+// lobes in one direction a sample (Cook, Porter and Carpenter 1984). Diffuse lobes end the chain. The including kernel
+// defines before what light a surface sends out, its own emission and its reflections excepted:
 //   vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint dimension, inout uint rays);
 
 vec3 sample_radiance(vec3 origin, vec3 direction, uint key, uint index, inout Counters totals) {
     vec3 radiance = vec3(0.0);
     vec3 throughput = vec3(1.0);
+    bool by_lobe = false;
+    LobeSample lobe;
     Ray ray = make_ray(origin, direction, NONE, push.excluded_instance);
     for (uint depth = 0u;; ++depth) {
         totals.rays += 1u;
         Hit hit = closest_hit(ray);
+        float weight = HAS_GLOSSY && by_lobe ? lobe_weight(lobe, hit) : 1.0;
         if (hit.triangle == NONE) {
-            if (HAS_ENVIRONMENT) radiance += throughput * lights[ENVIRONMENT_LIGHT].intensity;
+            if (HAS_ENVIRONMENT) radiance += weight * throughput * lights[ENVIRONMENT_LIGHT].intensity;
             break;
         }
         Surface surface = make_surface(hit, ray.direction);
+        radiance += weight * throughput * surface.emission;
+        // A rough lobe cut at the bound still meets the lights: they are direct.
+        if (HAS_GLOSSY && depth > push.specular_depth) break;
         vec3 wo = -ray.direction;
         uint dimension = FIRST_SURFACE_DIMENSION + depth * DIMENSIONS_PER_SURFACE;
-        radiance += throughput * surface.emission;
         radiance += throughput * surface_light(surface, hit, wo, key, index, dimension, totals.rays);
-        if (!HAS_SPECULAR || !is_specular(surface)) break;
+        by_lobe = HAS_GLOSSY && is_glossy(surface);
+        if (!by_lobe && (!HAS_SPECULAR || !is_specular(surface))) break;
+        vec3 wi;
+        if (by_lobe) {
+            lobe = sample_lobe(surface, wo, key, index, dimension);
+            throughput *= lobe.throughput;
+            if (throughput == vec3(0.0)) break;
+            wi = lobe.direction;
+        } else {
+            throughput *= specular_reflectance(surface, abs(dot(surface.ns, wo)));
+            wi = mirror_direction(surface, wo);
+        }
         totals.lookups += 1u;
         if (depth == push.specular_depth) {
             totals.truncated += 1u;
-            break;
+            if (!by_lobe) break;
+        } else {
+            totals.traced += 1u;
         }
-        totals.traced += 1u;
-        throughput *= specular_reflectance(surface, abs(dot(surface.ns, wo)));
-        vec3 wi = mirror_direction(surface, wo);
         ray = make_ray(leave_surface(surface, wi), wi, surface.triangle, push.excluded_instance);
     }
     return radiance;

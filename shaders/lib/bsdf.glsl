@@ -34,17 +34,23 @@ bool is_specular(Surface surface) {
     return surface.alpha == 0.0 && has_specular_lobe(surface);
 }
 
-/// BRDF without the perfect mirror's part, 1/sr. Zero where wi and wo are on different sides.
-vec3 evaluate_bsdf(Surface surface, vec3 wo, vec3 wi) {
-    float cos_i = dot(surface.ns, wi);
-    if (!(cos_i > 0.0) || !(dot(surface.ng, wi) > 0.0)) return vec3(0.0);
-    float cos_o = abs(dot(surface.ns, wo));
-    if (!HAS_GLOSSY || !is_glossy(surface)) return diffuse_reflectance(surface, cos_o) / PI;
-    vec3 lambert = surface.base_colour * ((1.0 - surface.metallic) / PI);
+/// Whether a direction leaves the surface on the viewer's side.
+bool is_above(Surface surface, vec3 wi) {
+    return dot(surface.ns, wi) > 0.0 && dot(surface.ng, wi) > 0.0;
+}
+
+/// The Lambert lobe, 1/sr, for a direction above the surface.
+vec3 diffuse_lobe(Surface surface, vec3 wo, vec3 wi) {
+    if (!HAS_GLOSSY || !is_glossy(surface)) return diffuse_reflectance(surface, abs(dot(surface.ns, wo))) / PI;
+    return diffuse_reflectance(surface, abs(dot(wo, normalize(wo + wi)))) / PI;
+}
+
+/// The rough specular lobe of a glossy surface, 1/sr, for a direction above the surface.
+vec3 glossy_lobe(Surface surface, vec3 wo, vec3 wi) {
     vec3 h = normalize(wo + wi);
-    float cos_h = abs(dot(wo, h));
-    float lobe = ggx_distribution(surface.ns, h, surface.alpha) * smith_visibility(cos_o, cos_i, surface.alpha);
-    return lambert * (1.0 - dielectric_fresnel(surface, cos_h)) + specular_reflectance(surface, cos_h) * lobe;
+    float lobe = ggx_distribution(surface.ns, h, surface.alpha) *
+                 smith_visibility(abs(dot(surface.ns, wo)), dot(surface.ns, wi), surface.alpha);
+    return specular_reflectance(surface, abs(dot(wo, h))) * lobe;
 }
 
 /// A direction by the glossy lobe, which may lie below the surface.
@@ -55,6 +61,12 @@ vec3 sample_glossy(Surface surface, vec3 wo, vec2 u) {
 /// Density over solid angle of sample_glossy().
 float glossy_pdf(Surface surface, vec3 wo, vec3 wi) {
     return ggx_pdf(surface.ns, normalize(wo + wi), dot(surface.ns, wo), surface.alpha);
+}
+
+/// glossy_lobe() times cosine over glossy_pdf(), without the factors that cancel: at most the reflectance.
+vec3 glossy_throughput(Surface surface, vec3 wo, vec3 wi) {
+    return specular_reflectance(surface, abs(dot(wo, normalize(wo + wi)))) *
+           smith_share(dot(surface.ns, wo), dot(surface.ns, wi), surface.alpha);
 }
 
 /// The mirrored direction. Near silhouettes an interpolated normal can mirror the ray into the surface; it is mirrored

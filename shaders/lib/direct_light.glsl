@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Direct light at a surface: one light sample with a shadow ray, and where the surface is glossy one sample of its
-// lobe; the two share the work by the balance heuristic (Veach and Guibas 1995).
+// Direct light at a surface by one light sample with a shadow ray. At a rough lobe the light that has an extent is also
+// met by rays of the lobe; the two share the work by the balance heuristic (Veach and Guibas 1995).
 #ifndef UTSURI_LIB_DIRECT_LIGHT
 #define UTSURI_LIB_DIRECT_LIGHT
 
@@ -30,11 +30,13 @@ struct Candidate {
 
 Candidate make_candidate(Surface surface, vec3 wo, float choice, vec2 u) {
     LightSample s = sample_light(choose_light(choice), surface, u);
-    vec3 value = evaluate_bsdf(surface, wo, s.direction) * s.irradiance * max(dot(surface.ns, s.direction), 0.0);
-    if (HAS_GLOSSY && s.pdf > 0.0 && is_glossy(surface) && value != vec3(0.0)) {
-        value *= s.pdf / (s.pdf + glossy_pdf(surface, wo, s.direction));
+    if (!is_above(surface, s.direction)) return Candidate(s, vec3(0.0));
+    vec3 bsdf = diffuse_lobe(surface, wo, s.direction);
+    if (HAS_GLOSSY && is_glossy(surface)) {
+        float weight = s.pdf > 0.0 ? s.pdf / (s.pdf + glossy_pdf(surface, wo, s.direction)) : 1.0;
+        bsdf += weight * glossy_lobe(surface, wo, s.direction);
     }
-    return Candidate(s, value);
+    return Candidate(s, bsdf * s.irradiance * dot(surface.ns, s.direction));
 }
 
 /// Resampled importance sampling (Talbot, Cline and Egbert 2005): of a few candidates, stratified over the light table,
@@ -67,51 +69,35 @@ Candidate resample_lights(Surface surface, vec3 wo, vec2 choice, vec2 u) {
     return taken;
 }
 
-vec3 light_by_light_sample(Surface surface, vec3 wo, vec2 choice, vec2 u, uint excluded_instance, inout uint rays) {
-    Candidate taken = resample_lights(surface, wo, choice, u);
+/// Radiance towards wo from light that reaches the surface without being reflected on its way; of what a rough lobe
+/// reflects, the light sample's share.
+vec3 direct_light(Surface surface, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
+                  inout uint rays) {
+    if (LIGHT_COUNT == 0u) return vec3(0.0);
+    vec2 choice = sample_2d(key, index, dimension);
+    Candidate taken = resample_lights(surface, wo, choice, sample_2d(key, index, dimension + 1u));
     if (taken.value == vec3(0.0)) return vec3(0.0);
     rays += 1u;
     return is_light_visible(surface, taken.light, excluded_instance) ? taken.value : vec3(0.0);
 }
 
-vec3 light_by_glossy_sample(Surface surface, vec3 wo, vec2 u, uint excluded_instance, inout uint rays) {
-    vec3 wi = sample_glossy(surface, wo, u);
-    vec3 value = evaluate_bsdf(surface, wo, wi) * dot(surface.ns, wi);
-    if (value == vec3(0.0)) return value;
-    rays += 1u;
-    Hit hit = closest_hit(make_ray(leave_surface(surface, wi), wi, surface.triangle, excluded_instance));
-    float light_pdf = 0.0;
-    vec3 radiance = vec3(0.0);
-    if (hit.triangle != NONE) {
-        uint light = triangle_infos[hit.triangle].light;
-        if (!HAS_TRIANGLE_LIGHTS || light == NONE) return vec3(0.0);
-        BvhTriangle vertices = bvh_triangles[hit.triangle];
-        TriangleInfo info = triangle_infos[hit.triangle];
-        float facing = dot(triangle_cross(vertices), -wi);
-        vec2 texcoord = HAS_TEXTURES ? interpolated_texcoord(info.vertices, hit.b1, hit.b2) : vec2(0.0);
-        radiance = emitted_radiance(materials[info.material], texcoord, facing > 0.0);
-        light_pdf = triangle_light_pdf(lights[light].probability, abs(facing), hit.t * hit.t);
-    } else if (HAS_ENVIRONMENT) {
-        LightInfo light = lights[ENVIRONMENT_LIGHT];
-        radiance = light.intensity;
-        light_pdf = environment_pdf(light.probability, dot(surface.ns, wi));
-    }
-    float pdf = glossy_pdf(surface, wo, wi);
-    return value * radiance / (pdf + light_pdf);
+/// A ray of a rough lobe.
+struct LobeSample {
+    vec3 direction;
+    vec3 throughput;  ///< zero where the direction lies below the surface
+    float pdf;        ///< over solid angle
+    float cosine;     ///< to the shading normal
+};
+
+LobeSample sample_lobe(Surface surface, vec3 wo, uint key, uint index, uint dimension) {
+    vec3 wi = sample_glossy(surface, wo, sample_2d(key, index, dimension + 2u));
+    if (!is_above(surface, wi)) return LobeSample(wi, vec3(0.0), 0.0, 0.0);
+    return LobeSample(wi, glossy_throughput(surface, wo, wi), glossy_pdf(surface, wo, wi), dot(surface.ns, wi));
 }
 
-/// Radiance towards wo from light that reaches the surface without being reflected on its way.
-vec3 direct_light(Surface surface, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
-                  inout uint rays) {
-    if (LIGHT_COUNT == 0u) return vec3(0.0);
-    vec2 choice = sample_2d(key, index, dimension);
-    vec2 u = sample_2d(key, index, dimension + 1u);
-    vec3 radiance = light_by_light_sample(surface, wo, choice, u, excluded_instance, rays);
-    if (HAS_GLOSSY && is_glossy(surface)) {
-        vec2 lobe = sample_2d(key, index, dimension + 2u);
-        radiance += light_by_glossy_sample(surface, wo, lobe, excluded_instance, rays);
-    }
-    return radiance;
+/// The share of the light that a ray of a rough lobe meets which is not left to light samples.
+float lobe_weight(LobeSample lobe, Hit hit) {
+    return lobe.pdf / (lobe.pdf + light_pdf(hit, lobe.direction, lobe.cosine));
 }
 
 #endif

@@ -87,6 +87,18 @@ float environment_pdf(float probability, float cosine) {
     return probability * cosine / PI;
 }
 
+/// Density over solid angle with which a light sample at the origin of a ray would have found what the ray meets.
+/// @param cosine of the ray to the shading normal of the surface that it left
+float light_pdf(Hit hit, vec3 direction, float cosine) {
+    if (hit.triangle == NONE) {
+        return HAS_ENVIRONMENT ? environment_pdf(lights[ENVIRONMENT_LIGHT].probability, cosine) : 0.0;
+    }
+    uint light = triangle_infos[hit.triangle].light;
+    if (!HAS_TRIANGLE_LIGHTS || light == NONE) return 0.0;
+    float facing = abs(dot(triangle_cross(bvh_triangles[hit.triangle]), direction));
+    return triangle_light_pdf(lights[light].probability, facing, hit.t * hit.t);
+}
+
 LightSample sample_environment(LightInfo light, Surface surface, vec2 u) {
     vec3 tangent, bitangent;
     make_basis(surface.ns, tangent, bitangent);

@@ -27,6 +27,12 @@ float smith_visibility(float cos_o, float cos_i, float alpha) {
     return 0.5 / (cos_i * smith_root(cos_o, alpha) + cos_o * smith_root(cos_i, alpha));
 }
 
+/// G2(wo, wi) / G1(wo): the share of a visible microfacet's light that gets past the others, at most 1.
+float smith_share(float cos_o, float cos_i, float alpha) {
+    float root_o = smith_root(cos_o, alpha);
+    return cos_i * (cos_o + root_o) / (cos_i * root_o + cos_o * smith_root(cos_i, alpha));
+}
+
 /// Density over solid angle of the direction that sample_ggx() gives: G1(wo) D(h) / (4 cos_o).
 float ggx_pdf(vec3 n, vec3 h, float cos_o, float alpha) {
     return ggx_distribution(n, h, alpha) / (2.0 * (cos_o + smith_root(cos_o, alpha)));

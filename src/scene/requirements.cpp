@@ -85,6 +85,7 @@ bool may_be_glossy(const Scene& scene, const Material& material) {
 
 Requirements find_requirements(const Scene& scene) {
     Requirements needs;
+    std::vector<std::uint32_t> lobed_instances;
     std::set<std::uint32_t> materials;
     std::set<std::int32_t> textures;
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
@@ -96,6 +97,7 @@ Requirements find_requirements(const Scene& scene) {
         if (material.emissive != glm::vec3(0.0f)) needs.emissive_triangles += mesh.triangles.size();
         if (!mesh.triangles.empty() && may_be_specular(scene, material))
             needs.reflective_instances.push_back(i);
+        if (!mesh.triangles.empty() && reflects(scene, material)) lobed_instances.push_back(i);
         if (!materials.insert(instance.material).second || !has_texture(material)) continue;
         for (const TextureSlot* slot : {&material.base_colour_texture, &material.metallic_roughness_texture,
                                         &material.emissive_texture}) {
@@ -117,8 +119,8 @@ Requirements find_requirements(const Scene& scene) {
     needs.punctual_lights = static_cast<std::uint32_t>(scene.lights.size());
     needs.environment = scene.environment != glm::vec3(0.0f);
     needs.specular = !needs.reflective_instances.empty();
-    if (needs.specular) {
-        needs.specular_depth = in_one_plane(scene, needs.reflective_instances) ? 1 : kUnboundedSpecularDepth;
+    if (!lobed_instances.empty()) {
+        needs.specular_depth = in_one_plane(scene, lobed_instances) ? 1 : kUnboundedSpecularDepth;
     }
     return needs;
 }

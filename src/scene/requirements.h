@@ -34,12 +34,12 @@ struct Requirements {
     bool specular = false;                            ///< perfect mirrors or smooth dielectrics
     std::vector<std::uint32_t> reflective_instances;  ///< with a specular surface
     std::vector<SurfaceFeatures> surfaces;            ///< of each material, in use or not
-    /// Most specular reflections a ray can meet: 0 without mirrors, 1 where all lie in one plane, else
-    /// unbounded.
+    /// Most specular reflections a ray can meet: 0 without specular lobes, 1 where all surfaces that have one
+    /// lie in one plane, else unbounded.
     std::uint32_t specular_depth = 0;
 };
 
-/// Requirements::specular_depth where mirrors can face each other.
+/// Requirements::specular_depth where surfaces with specular lobes can face each other.
 inline constexpr std::uint32_t kUnboundedSpecularDepth = 0xffffffffu;
 
 /// Whether some point of the material reflects like a perfect mirror.

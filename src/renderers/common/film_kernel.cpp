@@ -18,10 +18,10 @@ namespace {
 /// triangles.
 constexpr std::uint32_t kQueriesPerInvocation = 512;
 
-/// Samples that keep within kQueriesPerInvocation: at each surface of a specular chain there is a ray to find
-/// it, a shadow ray and a ray of the glossy lobe.
+/// Samples that keep within kQueriesPerInvocation: for each surface of a specular chain there is a ray to
+/// find it and a shadow ray; beyond the last one a ray of its rough lobe.
 std::uint32_t most_samples_per_dispatch(std::uint32_t specular_depth) {
-    const std::uint64_t queries = 3 * (std::uint64_t{specular_depth} + 1);
+    const std::uint64_t queries = 2 * (std::uint64_t{specular_depth} + 1) + 1;
     return static_cast<std::uint32_t>(std::max<std::uint64_t>(1, kQueriesPerInvocation / queries));
 }
 

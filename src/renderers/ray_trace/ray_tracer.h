@@ -6,7 +6,7 @@
 
 namespace utsuri {
 
-/// direct/trace: direct light with shadows, perfect mirrors followed ray by ray.
+/// direct/trace: direct light with shadows, mirrors and rough lobes followed ray by ray.
 class RayTracer : public Renderer {
   public:
     /// `device`, `data` and `scene` must outlive this.

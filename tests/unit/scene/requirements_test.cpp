@@ -131,6 +131,16 @@ TEST(Requirements, DoNotBoundCurvedMirrors) {
     EXPECT_EQ(find_requirements(scene).specular_depth, kUnboundedSpecularDepth);
 }
 
+TEST(Requirements, CountRoughLobesAsReflections) {
+    Scene scene;
+    test::add(scene, unit_quad(), test::rough_metal(0.5f));
+    EXPECT_EQ(find_requirements(scene).specular_depth, 1u);
+    EXPECT_THAT(find_requirements(scene).reflective_instances, IsEmpty());
+    test::add(scene, test::quad({0, 0, 1}, {1, 0, 0}, {0, 1, 0}), test::mirror());
+    EXPECT_EQ(find_requirements(scene).specular_depth, kUnboundedSpecularDepth)
+        << "off the plane of the mirror";
+}
+
 TEST(Requirements, PassOverReflectorsWithoutTriangles) {
     Scene scene;
     test::add(scene, Mesh(), test::mirror());
