@@ -20,6 +20,12 @@ void main() {
     uint pixel = gl_GlobalInvocationID.x;
     if (pixel >= push.pixels) return;
     vec3 radiance = drawn[pixel].rgb;
+    float rays = drawn[pixel].a - DRAWN_LOOKED_UP;
+    if (rays >= 0.0) atomicAdd(counters.lookups, 1u);
+    if (rays > 0.0) {
+        atomicAdd(counters.traced, 1u);
+        atomicAdd(counters.rays, uint(rays));
+    }
     if (!is_finite(radiance)) {
         atomicAdd(counters.nonfinite, 1u);
         return;

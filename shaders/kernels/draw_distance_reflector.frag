@@ -11,7 +11,9 @@ void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
+    float found = DRAWN_PLAIN;
     if (is_specular(surface)) {
+        found = DRAWN_LOOKED_UP;
         ReflectorInfo reflector = reflectors[drawn_ids.w];
         DistanceMapInfo map = distance_maps[drawn_ids.w];
         SearchRay ray = make_search_ray(surface.position - reflector.capture_point, mirror_direction(surface, wo));
@@ -19,5 +21,5 @@ void main() {
         vec3 direction = isinf(found.guess) ? ray.direction : ray_place(ray, found.guess);
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) * polygon_map(reflector.first_texel, direction);
     }
-    drawn = vec4(radiance, 1.0);
+    drawn = vec4(radiance, found);
 }

@@ -10,9 +10,11 @@ void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
+    float found = DRAWN_PLAIN;
     if (is_specular(surface)) {
+        found = DRAWN_LOOKED_UP;
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
                     mapped_radiance(surface, mirror_direction(surface, wo));
     }
-    drawn = vec4(radiance, 1.0);
+    drawn = vec4(radiance, found);
 }

@@ -7,5 +7,5 @@
 
 void main() {
     Surface surface;
-    drawn = vec4(drawn_light(-normalize_any_scale(drawn_from_eye), surface), 1.0);
+    drawn = vec4(drawn_light(-normalize_any_scale(drawn_from_eye), surface), DRAWN_PLAIN);
 }

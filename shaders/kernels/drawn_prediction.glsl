@@ -18,15 +18,22 @@ float pixel_angle() {
     return 2.0 * length(push.camera.up) * push.pixel.y * cosine * cosine;
 }
 
-DrawnReflection drawn_reflection_of(Surface surface, vec3 wo) {
+/// With an interval that follows from the least distance of all that surrounds the reflector alone: no search.
+DrawnReflection outlined_reflection(Surface surface, vec3 wo) {
     DrawnReflection result;
     result.reflector = reflectors[drawn_ids.w];
     result.map = distance_maps[drawn_ids.w];
     result.ray = make_search_ray(surface.position - result.reflector.capture_point, mirror_direction(surface, wo));
     bool front = dot(surface.ng, drawn_ng) > 0.0;
-    result.interval = find_hit(result.map, result.ray, front);
+    result.interval = outline_hit(result.map, result.ray, front);
     float curvature = front ? drawn_curvature : -drawn_curvature;
     result.footprint = make_footprint(length(drawn_from_eye), pixel_angle(), curvature, abs(dot(surface.ns, wo)));
+    return result;
+}
+
+DrawnReflection drawn_reflection_of(Surface surface, vec3 wo) {
+    DrawnReflection result = outlined_reflection(surface, wo);
+    result.interval = find_hit(result.map, result.ray, dot(surface.ng, drawn_ng) > 0.0);
     return result;
 }
 

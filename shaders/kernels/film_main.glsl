@@ -2,9 +2,6 @@
 // The loop over the samples of a pixel.
 #include "lib/sampler.glsl"
 
-/// Dimension pair 0 places the sample in its pixel; surfaces use those from 1 on.
-const uint FIRST_SURFACE_DIMENSION = 1u;
-
 /// Radiance arriving along a camera ray; `key` and `index` are the sampler's. Defined by the including kernel.
 vec3 sample_radiance(vec3 origin, vec3 direction, uint key, uint index, inout Counters totals);
 

@@ -4,13 +4,13 @@
 // defines before what light a surface sends out, its own emission and its reflections excepted:
 //   vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint dimension, inout uint rays);
 
-vec3 sample_radiance(vec3 origin, vec3 direction, uint key, uint index, inout Counters totals) {
+/// @param first_depth reflections that the ray already has behind it
+vec3 follow_chain(Ray ray, uint first_depth, uint key, uint index, inout Counters totals) {
     vec3 radiance = vec3(0.0);
     vec3 throughput = vec3(1.0);
     bool by_lobe = false;
     LobeSample lobe;
-    Ray ray = make_ray(origin, direction, NONE, push.excluded_instance);
-    for (uint depth = 0u;; ++depth) {
+    for (uint depth = first_depth;; ++depth) {
         totals.rays += 1u;
         Hit hit = closest_hit(ray);
         float weight = HAS_GLOSSY && by_lobe ? lobe_weight(lobe, hit) : 1.0;
@@ -47,4 +47,8 @@ vec3 sample_radiance(vec3 origin, vec3 direction, uint key, uint index, inout Co
         ray = make_ray(leave_surface(surface, wi), wi, surface.triangle, push.excluded_instance);
     }
     return radiance;
+}
+
+vec3 sample_radiance(vec3 origin, vec3 direction, uint key, uint index, inout Counters totals) {
+    return follow_chain(make_ray(origin, direction, NONE, push.excluded_instance), 0u, key, index, totals);
 }

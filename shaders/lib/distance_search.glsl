@@ -63,6 +63,14 @@ DistanceBounds block_bounds(uint first_bounds, SearchPlace place) {
     return distance_bounds[first_bounds + place.face * BOUNDS_PER_FACE + first + block.y * at_level + block.x];
 }
 
+/// The least of all distances about a capture point.
+float least_distance(uint first_bounds) {
+    SearchPlace place = SearchPlace(0u, uint(findMSB(DISTANCE_SIZE)), ivec2(0));
+    float nearest = INFINITY;
+    for (; place.face < DISTANCE_FACES; ++place.face) nearest = min(nearest, block_bounds(first_bounds, place).nearest);
+    return nearest;
+}
+
 /// Where a place, from the capture point, lies on a face, in texels.
 vec2 face_texels(vec3 components) {
     return (0.5 * float(DISTANCE_SIZE)) * (components.xy / components.z + 1.0);

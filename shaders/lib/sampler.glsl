@@ -5,6 +5,9 @@
 #ifndef UTSURI_LIB_SAMPLER
 #define UTSURI_LIB_SAMPLER
 
+/// Dimension pair 0 places the sample in its pixel; surfaces use those from 1 on.
+const uint FIRST_SURFACE_DIMENSION = 1u;
+
 /// A bijective hash of 32 bits (pcg output permutation: Jarzynski and Olano 2020).
 uint hash(uint x) {
     uint state = x * 747796405u + 2891336453u;

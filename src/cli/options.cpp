@@ -98,6 +98,7 @@ MapSettings PictureOptions::map_settings() const {
     if (!capture_point.empty()) settings.capture_point = parse_point(capture_point);
     const bool is_file = polyhedron.find_first_of("./\\") != std::string::npos;
     settings.polyhedron = is_file ? read_polyhedron(polyhedron) : platonic_solid(polyhedron);
+    settings.tolerance = static_cast<float>(tolerance);
     settings.refinement.edge = polygon_edge;
     if (polygon_error) settings.refinement.error = *polygon_error * std::numbers::pi / 180.0;
     return settings;
@@ -163,6 +164,12 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
             "Cut reflectors into polygons over which reflections are interpolated to so many degrees, for a "
             "far eye [as modelled]")
         ->check(finite_range(1e-3, 90.0));
+    command
+        .add_option("--tolerance", options.tolerance,
+                    "Pixels by which hybrid may show a reflection off its place; where more is predicted, a "
+                    "ray is traced")
+        ->check(finite_range(0.0, 1e6))
+        ->capture_default_str();
     command.add_option("--exposure", options.exposure, "Exposure of display images in stops [automatic]")
         ->check(finite_range(-kMostStops, kMostStops));
 }

@@ -37,6 +37,7 @@ struct PictureOptions {
     std::string polyhedron = "cube";
     std::optional<double> polygon_edge;
     std::optional<double> polygon_error;
+    double tolerance = 1.0;
     std::optional<double> exposure;
 
     [[nodiscard]] RenderSettings render_settings() const;

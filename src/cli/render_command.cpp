@@ -215,8 +215,9 @@ void add_render_command(CLI::App& app, Action& action) {
     command->add_option("--light", options->light, "Light at diffuse surfaces: direct")
         ->capture_default_str();
     command
-        ->add_option("--reflection", options->reflection,
-                     "Reflections: trace, polygon-map, sphere-map, cube-map, proxy-map or distance-map")
+        ->add_option(
+            "--reflection", options->reflection,
+            "Reflections: trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map or hybrid")
         ->capture_default_str();
     command
         ->add_option("--spp", options->samples, "Samples per pixel, or the most with --time or --noise [16]")

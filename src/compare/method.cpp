@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::array kReflections = {ReflectionMethod::trace,      ReflectionMethod::polygon_map,
                                      ReflectionMethod::sphere_map, ReflectionMethod::cube_map,
-                                     ReflectionMethod::proxy_map,  ReflectionMethod::distance_map};
+                                     ReflectionMethod::proxy_map,  ReflectionMethod::distance_map,
+                                     ReflectionMethod::hybrid};
 
 MapKind map_kind(ReflectionMethod reflection) {
     switch (reflection) {
@@ -30,6 +31,8 @@ MapKind map_kind(ReflectionMethod reflection) {
             return MapKind::proxy;
         case ReflectionMethod::distance_map:
             return MapKind::distance;
+        case ReflectionMethod::hybrid:
+            return MapKind::hybrid;
         case ReflectionMethod::trace:
             break;
     }
@@ -56,6 +59,8 @@ std::string_view to_string(ReflectionMethod reflection) {
             return "proxy-map";
         case ReflectionMethod::distance_map:
             return "distance-map";
+        case ReflectionMethod::hybrid:
+            return "hybrid";
     }
     fail_check(__FILE__, __LINE__, "a reflection method without a name");
 }
@@ -74,7 +79,7 @@ ReflectionMethod parse_reflection(std::string_view name) {
         if (name == to_string(reflection)) return reflection;
     }
     throw UsageError("choose reflection", fmt::format("'{}'", name),
-                     "there are: trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map");
+                     "there are: trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, hybrid");
 }
 
 std::vector<Method> all_methods(LightMethod light) {

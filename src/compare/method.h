@@ -16,7 +16,7 @@ namespace utsuri {
 enum class LightMethod { direct };
 
 /// How the light arriving along a specular direction is found.
-enum class ReflectionMethod { trace, polygon_map, sphere_map, cube_map, proxy_map, distance_map };
+enum class ReflectionMethod { trace, polygon_map, sphere_map, cube_map, proxy_map, distance_map, hybrid };
 
 /// A point on the two axes, written "direct/polygon-map".
 struct Method {

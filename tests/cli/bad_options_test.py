@@ -82,10 +82,10 @@ class BadOptions(CliCase):
 
     def test_names(self):
         self.refuse_picture_option("--light", ("candle",), "'candle'", "direct")
-        self.refuse(("'magic'", "trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map"),
+        self.refuse(("'magic'", "trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, hybrid"),
                     "render", "scene.glb", "-o", "picture.exr", "--reflection", "magic")
         for methods in ("magic", "trace,magic", "direct/magic"):
-            self.refuse(("magic'", "trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map"),
+            self.refuse(("magic'", "trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, hybrid"),
                         "compare", "scene.glb", "--methods", methods)
         self.refuse(("'smell'", "depth, position, normal"),
                     "render", "scene.glb", "-o", "picture.exr", "--aov", "depth,smell")

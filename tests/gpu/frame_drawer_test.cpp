@@ -54,7 +54,7 @@ class DrawnFrames : public DeviceTest {
         Film film(device(), kWidth, kHeight, "drawn film");
         for (const std::uint32_t count : samples) {
             const auto info = make_camera_info(camera, data.origin, kWidth, kHeight);
-            EXPECT_EQ(drawer.add_samples(film, info, kSeed, count, progress).nonfinite, 0u);
+            EXPECT_EQ(drawer.add_samples(film, {info, kSeed}, count, progress).nonfinite, 0u);
         }
         return film.resolve();
     }

@@ -107,7 +107,7 @@ std::map<std::string, HostStruct> host_structs() {
          {sizeof(RasterPush),
           {AT(RasterPush, camera), AT(RasterPush, jitter), AT(RasterPush, near_plane),
            AT(RasterPush, sample_index), AT(RasterPush, seed), AT(RasterPush, pixel),
-           AT(RasterPush, specular_depth), AT(RasterPush, tolerance)}}},
+           AT(RasterPush, specular_depth), AT(RasterPush, excluded_instance), AT(RasterPush, tolerance)}}},
         {"AddDrawnPush", {sizeof(AddDrawnPush), {AT(AddDrawnPush, pixels), AT(AddDrawnPush, sample_index)}}},
         {"RayInfo",
          {sizeof(RayInfo),

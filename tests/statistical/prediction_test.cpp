@@ -25,11 +25,16 @@ constexpr std::uint32_t kWidth = 96;
 constexpr std::uint32_t kHeight = 72;
 constexpr int kEyes = 6;
 
+/// Of hybrid, in pixels.
+constexpr std::array kTolerances = {0.5f, 1.0f, 2.0f, 4.0f};
+
 struct Tally {
     std::size_t pixels = 0;
     std::size_t parallax_pixels = 0;  ///< the capture point sees what the ray meets
     std::size_t parallax_above = 0;   ///< of those, measured above predicted
     std::size_t above = 0;
+    std::array<std::size_t, kTolerances.size()> trusted{};  ///< pixels that hybrid would look up
+    std::array<std::size_t, kTolerances.size()> broken{};   ///< of those, off by more than the tolerance
     std::vector<double> ratios;  ///< measured over predicted, where that is more than a texel
 
     double median() {
@@ -54,6 +59,11 @@ void add_view(Tally& tally, const std::vector<PredictedError>& predicted,
         if (measured[i].seen > 0.0f) {
             ++tally.parallax_pixels;
             tally.parallax_above += above ? 1 : 0;
+        }
+        for (std::size_t k = 0; k < kTolerances.size(); ++k) {
+            if (predicted[i].pixels > kTolerances[k]) continue;
+            ++tally.trusted[k];
+            tally.broken[k] += measured[i].pixels > kTolerances[k] ? 1 : 0;
         }
         if (bound > 2.0 * static_cast<double>(predicted[i].texel)) tally.ratios.push_back(angle / bound);
     }
@@ -121,6 +131,10 @@ class PredictedErrors : public DeviceTest {
             EXPECT_LE(static_cast<double>(result.above), 1e-3 * static_cast<double>(result.pixels)) << name;
             // Distance maps are predicted to be off only where the capture point cannot tell: mostly they are
             // not.
+            for (std::size_t k = 0; k < kTolerances.size(); ++k) {
+                EXPECT_LE(static_cast<double>(result.broken[k]), 1e-3 * static_cast<double>(result.pixels))
+                    << name << " at " << kTolerances[k] << " pixels";
+            }
             if (kind != MapKind::distance) {
                 EXPECT_GT(result.median(), 0.5) << name;
             }

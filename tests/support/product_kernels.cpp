@@ -9,6 +9,7 @@
 #include "kernels/draw_cut_pieces_vert.h"
 #include "kernels/draw_depth_vert.h"
 #include "kernels/draw_distance_reflector_frag.h"
+#include "kernels/draw_hybrid_reflector_frag.h"
 #include "kernels/draw_reflector_frag.h"
 #include "kernels/draw_reflectors_vert.h"
 #include "kernels/draw_scene_frag.h"
@@ -38,6 +39,7 @@ std::vector<ProductKernel> product_kernels() {
             {"draw_cut_pieces_vert", kernels::draw_cut_pieces_vert},
             {"draw_depth_vert", kernels::draw_depth_vert},
             {"draw_distance_reflector_frag", kernels::draw_distance_reflector_frag},
+            {"draw_hybrid_reflector_frag", kernels::draw_hybrid_reflector_frag},
             {"draw_reflector_frag", kernels::draw_reflector_frag},
             {"draw_reflectors_vert", kernels::draw_reflectors_vert},
             {"draw_scene_frag", kernels::draw_scene_frag},

@@ -24,9 +24,9 @@ namespace {
 constexpr double kNearShare = 0x1p-24;
 
 std::array<float, 4> background(const SceneData& data) {
-    if (!data.requirements.environment) return {0.0f, 0.0f, 0.0f, 1.0f};
+    if (!data.requirements.environment) return {0.0f, 0.0f, 0.0f, interop::DRAWN_PLAIN};
     const glm::vec3& radiance = data.lights.front().intensity;
-    return {radiance.x, radiance.y, radiance.z, 1.0f};
+    return {radiance.x, radiance.y, radiance.z, interop::DRAWN_PLAIN};
 }
 
 /// @throws DeviceError if the device has no raster pipeline
@@ -124,8 +124,8 @@ double FrameDrawer::draw(const interop::RasterPush& push, const Film& film,
     });
 }
 
-FrameCounts FrameDrawer::add_samples(Film& film, const interop::CameraInfo& camera, std::uint32_t seed,
-                                     std::uint32_t count, Progress& progress) {
+FrameCounts FrameDrawer::add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,
+                                     Progress& progress) {
     std::vector<BindingSet> sets;
     for (const Film::Band& band : film.bands()) {
         sets.push_back(add_kernel_.bind({{interop::BINDING_FILM, &band.pixels},
@@ -133,20 +133,28 @@ FrameCounts FrameDrawer::add_samples(Film& film, const interop::CameraInfo& came
                                          {interop::BINDING_COUNTERS, &counters_}}));
     }
     interop::RasterPush push{};
-    push.camera = camera;
+    push.camera = settings.camera;
     push.near_plane = near_plane_;
-    push.seed = seed;
+    push.seed = settings.seed;
+    push.specular_depth = settings.specular_depth;
+    push.excluded_instance = interop::NONE;
+    push.tolerance = settings.tolerance;
     push.pixel = 1.0f / glm::vec2(film.width(), film.height());
     counters_.fill_with_zero();
     FrameCounts counts;
     for (std::uint32_t done = 0; done < count && !progress.cancelled(); ++done) {
         push.sample_index = film.samples();
-        push.jitter = sample_2d(sampler_key({0, 0}, seed, push.sample_index & 1u), push.sample_index >> 1, 0);
+        push.jitter =
+            sample_2d(sampler_key({0, 0}, settings.seed, push.sample_index & 1u), push.sample_index >> 1, 0);
         counts.gpu_seconds += draw(push, film, sets);
         film.note_samples(1);
         progress.update(done + 1, count);
     }
-    counts.nonfinite = counters_.download_records<interop::Counters>(1).front().nonfinite;
+    const auto totals = counters_.download_records<interop::Counters>(1).front();
+    counts.nonfinite = totals.nonfinite;
+    counts.lookups = totals.lookups;
+    counts.traced = totals.traced;
+    counts.rays = totals.rays;
     return counts;
 }
 

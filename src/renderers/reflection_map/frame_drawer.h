@@ -17,6 +17,14 @@
 
 namespace utsuri {
 
+/// What one call of FrameDrawer::add_samples() draws.
+struct DrawSettings {
+    interop::CameraInfo camera;  ///< make_camera_info()
+    std::uint32_t seed = 0;
+    std::uint32_t specular_depth = 8;
+    float tolerance = 0.0f;  ///< see MapSettings
+};
+
 /// Distance of the near plane for a scene.
 float near_plane(const SceneData& data);
 
@@ -35,9 +43,8 @@ class FrameDrawer {
     /// Makes the driver compile what add_samples() needs.
     void warm_up();
 
-    /// @param camera of the picture (make_camera_info())
-    FrameCounts add_samples(Film& film, const interop::CameraInfo& camera, std::uint32_t seed,
-                            std::uint32_t count, Progress& progress);
+    FrameCounts add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,
+                            Progress& progress);
 
   private:
     /// One pipeline and the triangles it draws.

@@ -7,6 +7,7 @@
 
 #include "interop/specialization.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace utsuri {
@@ -104,7 +105,10 @@ double MapRenderer::reflect() {
 
 FrameCounts MapRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
     const double vertex_seconds = eye_moved_ ? reflect() : 0.0;
-    FrameCounts counts = drawer_.add_samples(film, camera_info(), settings_.seed, count, progress);
+    const DrawSettings draw{camera_info(), settings_.seed,
+                            std::min(settings_.specular_depth, scene_.specular_depth()),
+                            map_settings_.tolerance};
+    FrameCounts counts = drawer_.add_samples(film, draw, count, progress);
     counts.gpu_seconds += vertex_seconds;
     return counts;
 }

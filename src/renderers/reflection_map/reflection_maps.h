@@ -28,6 +28,8 @@ struct MapSettings {
     /// Pieces of polygons cut along its faces that there is room for; polygons whose pieces find none are
     /// drawn whole, their faces found per pixel. Follows from the number of polygons if not set.
     std::optional<std::uint32_t> most_cut_pieces = std::nullopt;
+    /// Of MapKind::hybrid: predicted displacement up to which maps are looked up, in pixels, >= 0.
+    float tolerance = 1.0f;
     bool predicts_errors = false;  ///< keep what MapRenderer::predict_errors() needs, whatever the method
 };
 

@@ -6,8 +6,10 @@
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/cut_polygons.h"
+#include "kernels/draw_curved_reflectors_vert.h"
 #include "kernels/draw_cut_pieces_vert.h"
 #include "kernels/draw_distance_reflector_frag.h"
+#include "kernels/draw_hybrid_reflector_frag.h"
 #include "kernels/draw_reflector_frag.h"
 #include "kernels/draw_reflectors_vert.h"
 #include "kernels/draw_whole_pieces_vert.h"
@@ -57,6 +59,7 @@ std::uint32_t whole_map_kind(MapKind kind) {
         case MapKind::proxy:
             return interop::MAP_KIND_PROXY;
         case MapKind::distance:
+        case MapKind::hybrid:
             return interop::MAP_KIND_DISTANCE;
     }
     fail_check(__FILE__, __LINE__, "a kind of map that cannot be drawn");
@@ -64,7 +67,13 @@ std::uint32_t whole_map_kind(MapKind kind) {
 
 std::span<const std::uint32_t> whole_fragment(MapKind kind) {
     if (kind == MapKind::distance) return kernels::draw_distance_reflector_frag;
+    if (kind == MapKind::hybrid) return kernels::draw_hybrid_reflector_frag;
     return kernels::draw_reflector_frag;
+}
+
+std::span<const std::uint32_t> whole_vertex(MapKind kind) {
+    return kind == MapKind::hybrid ? std::span<const std::uint32_t>(kernels::draw_curved_reflectors_vert)
+                                   : std::span<const std::uint32_t>(kernels::draw_reflectors_vert);
 }
 
 Specialization add_constants(Specialization specialization, const SurfaceFeatures& features,
@@ -117,7 +126,7 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
       vertex_kernel_(device, "reflect_vertices", kernels::reflect_vertices, {},
                      sizeof(interop::ReflectVerticesPush)),
       vertex_set_(vertex_kernel_.bind(with_polygons({}))),
-      whole_(device, "draw_reflectors", kernels::draw_reflectors_vert, whole_fragment(kind),
+      whole_(device, "draw_reflectors", whole_vertex(kind), whole_fragment(kind),
              specialise(specialization, kind, faces.size()), sizeof(interop::RasterPush),
              {DepthTest::nearer, kind == MapKind::polygon ? kBehindPieces : 0.0f}),
       whole_set_(whole_.bind(with_polygons(bindings))) {
@@ -131,7 +140,13 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
 
 Specialization ReflectorDrawer::specialise(const Specialization& others, MapKind kind,
                                            std::size_t faces) const {
-    return add_constants(others, features_, whole_map_kind(kind), faces);
+    Specialization constants = add_constants(others, features_, whole_map_kind(kind), faces);
+    // Rays meet surfaces of all kinds.
+    if (kind == MapKind::hybrid) {
+        constants[interop::SPEC_HAS_TEXTURES] = others.at(interop::SPEC_HAS_TEXTURES);
+        constants[interop::SPEC_HAS_GLOSSY] = others.at(interop::SPEC_HAS_GLOSSY);
+    }
+    return constants;
 }
 
 Bindings ReflectorDrawer::with_polygons(Bindings others) const {
