@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The furniture of the office as meshes in their own frames: on the floor at the origin, the user at +z."""
+"""Furniture as meshes in their own frames: on the floor at the origin, the user at +z.
+
+`paint` maps the names of colours to materials.
+"""
 
 import shapes
 from shapes import Patch, box, cylinder, lathe, prism, rounded_rectangle
