@@ -41,7 +41,7 @@ def main():
     folders = sorted(script.parent for script in SCENES.glob("*/generate.py"))
     orphans = [g for g in SCENES.rglob("*.glb") if g.parent not in folders]
     faults += [f"{orphan.relative_to(SCENES)}: has no generate.py beside it" for orphan in orphans]
-    print(f"{'scene':10} {'triangles':>10} {'nodes':>6} {'materials':>9} {'bytes':>9}")
+    print(f"{'scene':16} {'triangles':>10} {'nodes':>6} {'materials':>9} {'bytes':>9}")
     with tempfile.TemporaryDirectory() as scratch:
         for folder in folders:
             try:
@@ -50,7 +50,7 @@ def main():
                 faults.append(f"{folder.name}: {fault}")
                 continue
             note = "  (not kept in the tree)" if folder.name in NOT_KEPT else ""
-            print(f"{folder.name:10} {summary['triangles']:>10} {summary['nodes']:>6} "
+            print(f"{folder.name:16} {summary['triangles']:>10} {summary['nodes']:>6} "
                   f"{summary['materials']:>9} {size:>9}{note}")
     for fault in faults:
         print(f"check scenes: {fault}", file=sys.stderr)

@@ -199,3 +199,17 @@ def ceiling_panel(scene, paint):
     y = -0.045 - GAP
     light = shapes.quad((-0.60, y, -0.15), (0.60, y, -0.15), (0.60, y, 0.15), (-0.60, y, 0.15))
     return scene.mesh("ceiling panel", [(paint["cream"], case), (paint["panel"], light)])
+
+
+def pendant(scene, paint, length, width, drop):
+    """Hangs on two wires `drop` below y = 0, along x; lit from above and from below."""
+    x, z, top, bottom = length / 2, width / 2, -drop, -drop - 0.03
+    rim = box((-x - 0.01, bottom, -z - 0.01), (x + 0.01, top, z + 0.01), skip=("-y", "+y"))
+    for side in (-1, 1):
+        rim.add(box((0.7 * side * x - 0.003, top - 0.01, -0.003), (0.7 * side * x + 0.003, -GAP, 0.003),
+                    skip=("-y", "+y")))
+    panels = Patch().add(
+        shapes.quad((-x, top - 0.005, z), (x, top - 0.005, z), (x, top - 0.005, -z), (-x, top - 0.005, -z)),
+        shapes.quad((-x, bottom + 0.005, -z), (x, bottom + 0.005, -z), (x, bottom + 0.005, z),
+                    (-x, bottom + 0.005, z)))
+    return scene.mesh("pendant", [(paint["graphite"], rim), (paint["lamp"], panels)])
