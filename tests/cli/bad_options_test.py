@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Command lines that cannot be meant: exit code 2, with the option, the value and what would be right."""
+import re
 import unittest
 
 import gltf_scene
@@ -70,6 +71,27 @@ class BadOptions(CliCase):
         for value in ("-0.1", "nan", "inf", "low"):
             self.refuse(("--fail-above", value, "0 to"), "compare", "scene.glb", "--fail-above", value)
             self.refuse(("--fail-above", value, "0 to"), "diff", "a.png", "b.png", "--fail-above", value)
+
+    def test_every_number_has_a_range_and_tells_it(self):
+        """Found in the help, so that no option is forgotten."""
+        arguments = {"render": ("scene.glb", "-o", "picture.exr"), "compare": ("scene.glb", "-o", "folder"),
+                     "info": ("scene.glb",), "diff": ("a.png", "b.png"), "devices": ()}
+        found = set()
+        for name in SUBCOMMANDS:
+            for line in self.succeed(name, "--help").stdout.splitlines():
+                option = re.match(r" +(?:-\w,)?(--[\w-]+) (?:UINT|INT|FLOAT)\b(.*)", line)
+                if not option:
+                    continue
+                bounds = re.search(r"in \[(\S+) - ([^]]+)\]", option[2])
+                self.assertTrue(bounds, f"{name} {option[1]}: the help does not tell its range")
+                found.add((name, option[1]))
+                lowest, highest = map(float, bounds.groups())
+                beyond = (f"{lowest - max(1.0, abs(lowest)):.0f}", f"{2 * max(1.0, highest):.0f}", "nan")
+                for value in beyond:
+                    self.refuse((option[1], value, " to ".join(bounds.groups())),
+                                name, *arguments[name], option[1], value)
+        self.assertGreaterEqual(found, {("render", "--spp"), ("render", "--noise"), ("compare", "--map-size"),
+                                        ("compare", "--fail-above"), ("diff", "--exposure")})
 
     def test_times(self):
         for value in ("0s", "-1s", "nan", "inf", "1h", "soon", "1 s", "1e999s"):
