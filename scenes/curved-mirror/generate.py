@@ -155,8 +155,9 @@ def add_mirrors(scene, paint, table):
 def add_blocks(scene, paint, table):
     """Toy blocks around the mirrors, some of them a few centimetres away."""
     for i, (colour, size, x, z, turn) in enumerate((
-            ("red", 0.09, -0.68, 0.20, 20), ("yellow", 0.07, -0.17, 0.22, -15), ("blue", 0.11, -0.08, -0.20, 35),
-            ("green", 0.08, 0.10, 0.28, 10), ("cream", 0.07, 0.66, 0.26, -30), ("red", 0.10, 0.76, -0.10, 15),
+            ("red", 0.09, -0.68, 0.20, 20), ("yellow", 0.07, -0.17, 0.22, -15),
+            ("blue", 0.11, -0.08, -0.20, 35), ("green", 0.08, 0.10, 0.28, 10),
+            ("cream", 0.07, 0.66, 0.26, -30), ("red", 0.10, 0.76, -0.10, 15),
             ("blue", 0.06, 0.36, 0.33, 40), ("yellow", 0.12, -0.74, -0.20, 5))):
         half = size / 2
         cube = shapes.box((-half, GAP, -half), (half, size, half), skip=("-y",))

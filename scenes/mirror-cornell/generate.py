@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The Cornell box with a mirror before its tall block, and a tiled room behind the camera for it to reflect."""
+"""The Cornell box with a mirror before its tall block, and a tiled room behind the camera."""
 
 import pathlib
 import sys
@@ -74,8 +74,8 @@ def tiled_room(white, tile, light):
 
 
 def build():
-    scene = glb.Glb("Cornell box with a mirror",
-                    "Box: Cornell Box Data, Program of Computer Graphics, Cornell; the rest: written for Utsuri")
+    about = "Box: Cornell Box Data, Program of Computer Graphics, Cornell; the rest: written for Utsuri"
+    scene = glb.Glb("Cornell box with a mirror", about)
     white, red, green = (scene.matte(*m) for m in (
         ("white", data.WHITE), ("red", data.RED), ("green", data.GREEN)))
     tile = scene.matte("tiles", (1.0, 1.0, 1.0), scene.texture("tiles", tiles()))

@@ -66,7 +66,8 @@ def add_corridor(scene, paint):
 def add_mirrors(scene, paint):
     width, height = 2 * MIRROR_END, MIRROR_TOP - MIRROR_BOTTOM
     w, h = width / 2, height / 2
-    glass = scene.mesh("mirror", [(paint["mirror"], shapes.quad((-w, -h, 0), (w, -h, 0), (w, h, 0), (-w, h, 0)))])
+    pane = shapes.quad((-w, -h, 0), (w, -h, 0), (w, h, 0), (-w, h, 0))
+    glass = scene.mesh("mirror", [(paint["mirror"], pane)])
     rim = scene.mesh("mirror frame", [(paint["graphite"], furniture.frame(width, height, 0.04, 0.03, 0.005))])
     for side, x, turn in (("left", -HALF_X, 90), ("right", HALF_X, -90)):
         place = scene.node(f"{side} wall's mirror", at=(x + math.copysign(GAP, -x), MIRROR_BOTTOM + h, 0),
@@ -84,12 +85,13 @@ def pedestal(scene, paint):
 
 
 def add_objects(scene, paint, draw):
-    """Objects in turn along both mirrors; every one of another shape and colour on its two sides."""
+    """Objects in turn along both mirrors, every one of another shape and colour."""
     stand = pedestal(scene, paint)
     cone = shapes.lathe([(0.15, GAP), (0.0, 0.42)], 24)
     ball = shapes.icosphere(0.15, 2).moved(0, 0.15 + GAP, 0)
     cube = shapes.box((-0.13, GAP, -0.13), (0.13, 0.26, 0.13), skip=("-y",)).turned("y", 30)
-    for name, patch, colour, x, z in (("cone", cone, "red", -0.95, 0.55), ("ball", ball, "yellow", 0.95, -0.45),
+    for name, patch, colour, x, z in (("cone", cone, "red", -0.95, 0.55),
+                                      ("ball", ball, "yellow", 0.95, -0.45),
                                       ("cube", cube, "blue", -0.95, -1.75)):
         scene.node(f"pedestal of the {name}", mesh=stand, at=(x, 0, z))
         scene.node(name, mesh=scene.mesh(name, [(paint[colour], patch)]), at=(x, 0.90, z))
@@ -119,7 +121,8 @@ def build():
     scene = glb.Glb("Corridor of mirrors", "Written for Utsuri")
     draw = random.Random(SEED).random
     paint = {name: scene.matte(name, colour) for name, colour in MATTE.items()}
-    for name, picture, wrap in (("tiles", floor_tiles(), glb.REPEAT), ("wood", textures.wood(draw), glb.REPEAT),
+    for name, picture, wrap in (("tiles", floor_tiles(), glb.REPEAT),
+                                ("wood", textures.wood(draw), glb.REPEAT),
                                 ("landscape", textures.landscape(), glb.CLAMP_TO_EDGE)):
         paint[name] = scene.matte(name, (1.0, 1.0, 1.0), scene.texture(name, picture, wrap=wrap))
     paint["mirror"] = scene.metal("mirror", REFLECTANCE)

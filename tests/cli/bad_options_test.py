@@ -86,8 +86,8 @@ class BadOptions(CliCase):
                 self.assertTrue(bounds, f"{name} {option[1]}: the help does not tell its range")
                 found.add((name, option[1]))
                 lowest, highest = map(float, bounds.groups())
-                beyond = (f"{lowest - max(1.0, abs(lowest)):.0f}", f"{2 * max(1.0, highest):.0f}", "nan")
-                for value in beyond:
+                below, above = lowest - max(1.0, abs(lowest)), 2 * max(1.0, highest)
+                for value in (f"{below:.0f}", f"{above:.0f}", "nan"):
                     self.refuse((option[1], value, " to ".join(bounds.groups())),
                                 name, *arguments[name], option[1], value)
         self.assertGreaterEqual(found, {("render", "--spp"), ("render", "--noise"), ("compare", "--map-size"),

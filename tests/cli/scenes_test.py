@@ -22,8 +22,9 @@ class Scenes(CliCase):
 
     def test_kept_scenes(self):
         paths = sorted(self.scenes.glob("*/*.glb"))
-        self.assertGreaterEqual({path.stem for path in paths}, {
-            "cluttered-mirror", "cornell", "curved-mirror", "mirror-cornell", "mirror-corridor", "office", "spheres"})
+        self.assertGreaterEqual({path.stem for path in paths},
+                                {"cluttered-mirror", "cornell", "curved-mirror", "mirror-cornell",
+                                 "mirror-corridor", "office", "spheres"})
         for path in paths:
             # Filling the light of a scene takes seconds; one method does for all that share it.
             for reflection in ("trace", "proxy-map"):
