@@ -69,7 +69,7 @@ class PolyhedronMap : public DeviceTest, public testing::WithParamInterface<cons
                              settings);
         Progress progress;
         renderer.prepare(progress);
-        return {renderer.reflectors().pieces(), renderer.maps().reflectors(), renderer.maps().faces()};
+        return {renderer.reflectors()->pieces(), renderer.maps().reflectors(), renderer.maps().faces()};
     }
 };
 

@@ -47,9 +47,7 @@ class DrawnFrames : public DeviceTest {
         bindings.merge(maps.bindings());
         Specialization specialization = gpu_scene.specialization();
         specialization[interop::SPEC_MAP_SIZE] = 4;
-        const ReflectorDrawer reflectors(device(), data, maps.reflectors(), MapKind::polygon, maps.faces(),
-                                         std::nullopt, specialization, bindings);
-        FrameDrawer drawer(device(), data, specialization, bindings, reflectors, kWidth, kHeight);
+        FrameDrawer drawer(device(), data, specialization, bindings, nullptr, kWidth, kHeight);
         drawer.warm_up();
         Film film(device(), kWidth, kHeight, "drawn film");
         for (const std::uint32_t count : samples) {

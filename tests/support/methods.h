@@ -6,6 +6,9 @@
 
 namespace utsuri::test {
 
+/// All ways to look reflections up in maps.
+inline constexpr MapKind kMapKinds[] = {MapKind::polygon, MapKind::sphere, MapKind::cube, MapKind::proxy};
+
 /// Renders a method that looks reflections up in maps.
 Traced render_with_maps(Device& device, const Scene& scene, const Camera& camera,
                         const RenderSettings& settings, MapKind kind, const MapSettings& maps,

@@ -49,13 +49,13 @@ float near_plane(const SceneData& data) {
 }
 
 FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
-                         const Bindings& bindings, const ReflectorDrawer& reflectors, std::uint32_t width,
+                         const Bindings& bindings, const ReflectorDrawer* reflectors, std::uint32_t width,
                          std::uint32_t height)
     : FrameDrawer(device, data, plan_draws(data), specialization, bindings, reflectors, width, height) {}
 
 FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& list,
                          const Specialization& specialization, const Bindings& bindings,
-                         const ReflectorDrawer& reflectors, std::uint32_t width, std::uint32_t height)
+                         const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height)
     : device_(checked(device)),
       reflectors_(reflectors),
       near_plane_(near_plane(data)),
@@ -98,7 +98,7 @@ void FrameDrawer::warm_up() {
     device_.run("compile pipelines", [&](const vk::raii::CommandBuffer& commands) {
         draw_into(commands, colour_, depth_, background_, [&] {
             if (triangle_count_ > 0) depth_pass_.draw(commands, depth_bindings_, nothing, 0, 1);
-            reflectors_.warm_up(commands);
+            if (reflectors_) reflectors_->warm_up(commands);
             for (const Batch& batch : batches_)
                 batch.pipeline.draw(commands, batch.bindings, nothing, batch.first, 1);
         });
@@ -111,7 +111,7 @@ double FrameDrawer::draw(const interop::RasterPush& push, const Film& film,
         draw_into(commands, colour_, depth_, background_, [&] {
             // Depth first: a pixel shades only what it shows.
             depth_pass_.draw(commands, depth_bindings_, push, 0, triangle_count_);
-            reflectors_.draw(commands, push);
+            if (reflectors_) reflectors_->draw(commands, push);
             for (const Batch& batch : batches_)
                 batch.pipeline.draw(commands, batch.bindings, push, batch.first, batch.count);
         });

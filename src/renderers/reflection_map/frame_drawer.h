@@ -34,10 +34,10 @@ float near_plane(const SceneData& data);
 class FrameDrawer {
   public:
     /// @param bindings of scene, light cache and maps
-    /// @param reflectors draws what is reflective; must outlive this
+    /// @param reflectors draws what is reflective; none if nothing is; must outlive this
     /// @throws DeviceError if the device cannot draw pictures of this size
     FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
-                const Bindings& bindings, const ReflectorDrawer& reflectors, std::uint32_t width,
+                const Bindings& bindings, const ReflectorDrawer* reflectors, std::uint32_t width,
                 std::uint32_t height);
 
     /// Makes the driver compile what add_samples() needs.
@@ -57,14 +57,14 @@ class FrameDrawer {
 
     FrameDrawer(Device& device, const SceneData& data, const DrawList& list,
                 const Specialization& specialization, const Bindings& bindings,
-                const ReflectorDrawer& reflectors, std::uint32_t width, std::uint32_t height);
+                const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height);
     [[nodiscard]] Bindings with_draw_list(Bindings bindings) const;
     std::vector<Batch> make_batches(const std::vector<DrawBatch>& planned,
                                     const Specialization& specialization, const Bindings& bindings);
     double draw(const interop::RasterPush& push, const Film& film, const std::vector<BindingSet>& sets);
 
     Device& device_;
-    const ReflectorDrawer& reflectors_;
+    const ReflectorDrawer* reflectors_;
     float near_plane_;
     std::array<float, 4> background_;
     Attachment colour_;

@@ -15,9 +15,15 @@ namespace {
 
 std::optional<DistanceMaps> make_distances(Device& device, const SceneData& data, const ReflectionMaps& maps,
                                            MapKind kind, const MapSettings& settings) {
-    if (!keeps_distances(kind) && !settings.predicts_errors) return std::nullopt;
+    if (maps.infos().empty() || (!keeps_distances(kind) && !settings.predicts_errors)) return std::nullopt;
     return std::make_optional<DistanceMaps>(device, data, maps.reflectors(), maps.infos(),
                                             DistanceMaps::size_for(settings.size));
+}
+
+template <typename Errors>
+std::vector<Errors> no_mirrors(const RenderSettings& settings) {
+    return std::vector<Errors>(std::size_t{settings.width} * settings.height,
+                               Errors{-1.0f, -1.0f, -1.0f, -1.0f});
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -40,9 +46,12 @@ MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& 
       maps_(device, data, kind, map_settings),
       distances_(make_distances(device, data, maps_, kind, map_settings)),
       light_cache_(device, data, light.settings),
-      reflectors_(device, data, maps_.reflectors(), kind, maps_.faces(), map_settings.most_cut_pieces,
-                  drawing_specialization(), drawing_bindings()),
-      drawer_(device, data, drawing_specialization(), drawing_bindings(), reflectors_, settings.width,
+      reflectors_(maps_.reflectors().triangles.empty()
+                      ? nullptr
+                      : std::make_unique<ReflectorDrawer>(device, data, maps_.reflectors(), kind,
+                                                          maps_.faces(), map_settings.most_cut_pieces,
+                                                          drawing_specialization(), drawing_bindings())),
+      drawer_(device, data, drawing_specialization(), drawing_bindings(), reflectors_.get(), settings.width,
               settings.height) {}
 
 Bindings MapRenderer::drawing_bindings() const {
@@ -94,13 +103,14 @@ void MapRenderer::look_from(const Camera& camera) {
 }
 
 double MapRenderer::reflect() {
+    if (!reflectors_) return 0.0;
     interop::ReflectVerticesPush eye{};
     eye.eye = glm::vec3(camera_.position - data_.origin);
     eye.right = glm::vec3(camera_.right);
     eye.up = glm::vec3(camera_.up);
     eye.forward = glm::vec3(camera_.forward);
     eye_moved_ = false;
-    return reflectors_.look_from(eye);
+    return reflectors_->look_from(eye);
 }
 
 FrameCounts MapRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
@@ -117,14 +127,16 @@ PredictionDrawer MapRenderer::make_prediction_drawer() {
     UTSURI_CHECK(distances_.has_value());
     if (eye_moved_) reflect();
     return PredictionDrawer(device_, data_, kind_, maps_.faces().size(), drawing_specialization(),
-                            drawing_bindings(), reflectors_, settings_.width, settings_.height);
+                            drawing_bindings(), *reflectors_, settings_.width, settings_.height);
 }
 
 std::vector<PredictedError> MapRenderer::predict_errors() {
+    if (!reflectors_) return no_mirrors<PredictedError>(settings_);
     return make_prediction_drawer().predict(camera_info());
 }
 
 std::vector<MeasuredError> MapRenderer::measure_errors() {
+    if (!reflectors_) return no_mirrors<MeasuredError>(settings_);
     return make_prediction_drawer().measure(camera_info());
 }
 

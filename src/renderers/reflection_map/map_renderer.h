@@ -7,7 +7,9 @@
 #include "renderers/reflection_map/prediction_drawer.h"
 #include "renderers/reflection_map/reflection_maps.h"
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace utsuri {
 
@@ -33,7 +35,8 @@ class MapRenderer : public Renderer {
     [[nodiscard]] std::vector<MeasuredError> measure_errors();
 
     [[nodiscard]] const ReflectionMaps& maps() const { return maps_; }
-    [[nodiscard]] const ReflectorDrawer& reflectors() const { return reflectors_; }
+    /// None where nothing is reflective.
+    [[nodiscard]] const ReflectorDrawer* reflectors() const { return reflectors_.get(); }
 
   protected:
     FrameCounts render(Film& film, std::uint32_t count, Progress& progress) override;
@@ -58,7 +61,7 @@ class MapRenderer : public Renderer {
     ReflectionMaps maps_;
     std::optional<DistanceMaps> distances_;
     LightCache light_cache_;
-    ReflectorDrawer reflectors_;
+    std::unique_ptr<ReflectorDrawer> reflectors_;
     FrameDrawer drawer_;
 };
 

@@ -204,7 +204,6 @@ void ReflectorDrawer::run_twice(const vk::raii::CommandBuffer& commands, const T
 }
 
 double ReflectorDrawer::look_from(const interop::ReflectVerticesPush& eye) {
-    if (clip_.polygons == 0) return 0.0;
     return device_.run("reflect vertices", [&](const vk::raii::CommandBuffer& commands) {
         interop::ReflectVerticesPush push = eye;
         push.count = vertex_count_;
@@ -216,7 +215,6 @@ double ReflectorDrawer::look_from(const interop::ReflectVerticesPush& eye) {
 }
 
 void ReflectorDrawer::warm_up(const vk::raii::CommandBuffer& commands) const {
-    if (clip_.polygons == 0) return;
     const interop::RasterPush nothing{};
     if (clipping_) {
         clipping_->draw_whole.draw(commands, clipping_->draw_whole_set, nothing, 0, 1);

@@ -32,6 +32,7 @@ constexpr bool keeps_distances(MapKind kind) {
 /// pieces drawn indirectly.
 class ReflectorDrawer {
   public:
+    /// @param reflectors with at least one polygon
     /// @param faces of the polyhedron; empty for sphere maps
     /// @param specialization of the fragment stage
     /// @param bindings of scene, light cache and maps

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene without reflective surfaces pays nothing for reflection mapping, whatever is asked of it.
+#include "support/methods.h"
+#include "support/test_device.h"
+
+namespace utsuri::test {
+namespace {
+
+constexpr RenderSettings kSettings{24, 18, 3, 8};
+
+/// Every kind of light and surface but mirrors.
+Scene without_mirrors() {
+    Scene scene = everything_scene();
+    for (Material& material : scene.materials) {
+        if (material.roughness == 0.0f) material = lambert(glm::vec3(0.5f));
+    }
+    return scene;
+}
+
+class NoReflection : public DeviceTest {
+  protected:
+    struct Cost {
+        std::uint64_t bytes;
+        std::uint64_t rays;
+        Image image;
+    };
+
+    static Cost render(MapKind kind, const MapSettings& maps) {
+        const SceneData data = prepare_scene_data(without_mirrors());
+        const GpuScene scene(device(), data);
+        FilledLight light;
+        light.settings = {1.0 / 60.0, 4};
+        const std::uint64_t before = device().memory().current;
+        MapRenderer renderer(device(), data, scene, light, everything_camera(), kind, kSettings, maps);
+        const std::uint64_t bytes = device().memory().current - before;
+        Film film(device(), kSettings.width, kSettings.height, "film");
+        Progress progress;
+        renderer.prepare(progress);
+        renderer.add_samples(film, 2, progress);
+        EXPECT_EQ(renderer.reflectors(), nullptr) << "kernels, pipelines and buffers of polygons";
+        EXPECT_TRUE(renderer.maps().infos().empty());
+        const std::uint64_t rays = renderer.statistics().prepare_counts.rays - light.counts.rays;
+        return {bytes, rays, film.resolve()};
+    }
+};
+
+TEST_F(NoReflection, CostsNoMapsNoPolygonsAndNoRays) {
+    MapSettings small;
+    small.size = 1;
+    const Cost least = render(MapKind::sphere, small);
+    EXPECT_EQ(least.rays, 0u) << "beyond those that find the light on surfaces";
+    MapSettings large;
+    large.size = 4096;
+    large.polyhedron = platonic_solid("icosahedron");
+    large.refinement.edge = 1e-6;
+    for (const MapKind kind : kMapKinds) {
+        const Cost cost = render(kind, large);
+        EXPECT_EQ(cost.bytes, least.bytes) << "kind of map " << static_cast<int>(kind);
+        EXPECT_EQ(cost.rays, 0u);
+        EXPECT_TRUE(cost.image.pixels == least.image.pixels);
+    }
+}
+
+// The test above must not pass because nothing is ever counted.
+TEST_F(NoReflection, WhileAMirrorCosts) {
+    const SceneData data = prepare_scene_data(everything_scene());
+    const GpuScene scene(device(), data);
+    FilledLight light;
+    light.settings = {1.0 / 60.0, 4};
+    MapSettings maps;
+    maps.size = 8;
+    const std::uint64_t before = device().memory().current;
+    MapRenderer small(device(), data, scene, light, everything_camera(), MapKind::cube, kSettings, maps);
+    const std::uint64_t small_bytes = device().memory().current - before;
+    maps.size = 64;
+    MapRenderer large(device(), data, scene, light, everything_camera(), MapKind::cube, kSettings, maps);
+    EXPECT_GT(device().memory().current - before, 2 * small_bytes);
+    Progress progress;
+    small.prepare(progress);
+    EXPECT_GT(small.statistics().prepare_counts.rays, light.counts.rays);
+    EXPECT_NE(small.reflectors(), nullptr);
+}
+
+}  // namespace
+}  // namespace utsuri::test
