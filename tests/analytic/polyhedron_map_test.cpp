@@ -34,12 +34,46 @@ Camera camera() {
     return look_at({0.7, 1.9, 3.1}, {0, -0.6, 0}, 1.1);
 }
 
+Polyhedron from_planes(const std::vector<glm::dvec4>& planes) {
+    Polyhedron solid;
+    for (const glm::dvec4& plane : planes) {
+        const glm::dvec3 normal(plane);
+        solid.planes.push_back({glm::normalize(normal), plane.w / glm::length(normal)});
+    }
+    return solid;
+}
+
+/// The box |x| <= x, |y| <= y, |z| <= z.
+std::vector<glm::dvec4> box_planes(double x, double y, double z) {
+    return {{1, 0, 0, x}, {-1, 0, 0, x}, {0, 1, 0, y}, {0, -1, 0, y}, {0, 0, 1, z}, {0, 0, -1, z}};
+}
+
+/// Nearly degenerate ones, the one with the most faces, and the Platonic solids.
+Polyhedron polyhedron(std::string_view name) {
+    if (name == "flat") return from_planes(box_planes(1, 1e-3, 1));
+    if (name == "long") return from_planes(box_planes(1e-3, 1e-3, 1));
+    if (name == "twins") {
+        // Two planes for +x, 1e-5 rad apart, that share an edge in the middle.
+        std::vector<glm::dvec4> planes = box_planes(1, 1, 1);
+        planes.emplace_back(1, 1e-5, 0, 1);
+        return from_planes(planes);
+    }
+    if (name != "most") return platonic_solid(name);
+    // An icosahedron whose 12 corners, 1.258 times as far as its faces, are cut off: 32 faces.
+    Polyhedron solid = platonic_solid("icosahedron");
+    for (Polyhedron::Plane plane : platonic_solid("dodecahedron").planes) {
+        plane.distance = 1.1;
+        solid.planes.push_back(plane);
+    }
+    return solid;
+}
+
 MapSettings settings_for(const char* solid) {
     MapSettings settings;
     settings.size = 64;
     settings.samples = 16;
     settings.capture_point = glm::dvec3(0.0, 1.5, 0.0);
-    settings.polyhedron = platonic_solid(solid);
+    settings.polyhedron = polyhedron(solid);
     return settings;
 }
 
@@ -49,7 +83,7 @@ RenderSettings picture_settings() {
     return settings;
 }
 
-class PolyhedronMap : public DeviceTest, public testing::WithParamInterface<const char*> {
+class PolyhedronPieces : public DeviceTest, public testing::WithParamInterface<const char*> {
   protected:
     struct Cut {
         ReflectorDrawer::Pieces pieces;
@@ -80,14 +114,17 @@ double twice_area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 /// How much farther than its own face a vector gets on another, relative to what rounding may do.
 double excess(const std::vector<interop::MapFace>& faces, std::uint32_t face, const glm::dvec3& reflection) {
     double most = 0.0;
+    double nearest = 0.0;  // one over the least distance of a face
     const double own = glm::dot(glm::dvec3(faces[face].outward), reflection);
-    for (const interop::MapFace& other : faces)
+    for (const interop::MapFace& other : faces) {
         most = std::max(most, glm::dot(glm::dvec3(other.outward), reflection) - own);
-    return most / glm::length(reflection);
+        nearest = std::max(nearest, glm::length(glm::dvec3(other.outward)));
+    }
+    return most / (nearest * glm::length(reflection));
 }
 
 // No part of a polygon is lost or drawn twice, and each piece keeps to its face.
-TEST_P(PolyhedronMap, PiecesOfAPolygonMakeItUp) {
+TEST_P(PolyhedronPieces, PiecesOfAPolygonMakeItUp) {
     const Cut found = cut(mirrors(), camera(), GetParam());
     ASSERT_EQ(found.pieces.cut_corners.size(), 3 * found.pieces.cut.size());
     EXPECT_GT(found.pieces.cut.size(), 100u);
@@ -111,7 +148,7 @@ TEST_P(PolyhedronMap, PiecesOfAPolygonMakeItUp) {
 }
 
 // Where an edge is cut, both its polygons have a corner, with the same bits.
-TEST_P(PolyhedronMap, NeighboursAreCutAtTheSamePoints) {
+TEST_P(PolyhedronPieces, NeighboursAreCutAtTheSamePoints) {
     Scene scene;
     kRoom.add_to(scene);
     add(scene, icosphere({0.3f, 0.1f, -0.2f}, 1.0f, 2), mirror());
@@ -140,7 +177,7 @@ TEST_P(PolyhedronMap, NeighboursAreCutAtTheSamePoints) {
 // What pieces show is what the same interpolation shows evaluated pixel by pixel: polygons whose pieces find
 // no room are drawn whole, with the face found per pixel. Map texels differ by up to a quarter of the room's
 // 0..1 codes from their neighbours at its corners; coordinates of 64 texels have some 20 roundings.
-TEST_P(PolyhedronMap, PiecesShowWhatEachPixelWouldFind) {
+TEST_P(PolyhedronPieces, PiecesShowWhatEachPixelWouldFind) {
     MapSettings settings = settings_for(GetParam());
     MapObserver pieces(device(), mirrors(), MapKind::polygon, settings);
     settings.most_cut_pieces = 1;
@@ -156,6 +193,8 @@ TEST_P(PolyhedronMap, PiecesShowWhatEachPixelWouldFind) {
     }
     EXPECT_LE(edges, 96 * 96 / 1000);
 }
+
+class PolyhedronMap : public PolyhedronPieces {};
 
 // All polyhedra show the same reflections, to the texels of the coarser of the two; a tetrahedron's texels
 // are up to 2 sqrt(6) / 64 wide and stretched ninefold towards its corners.
@@ -175,6 +214,10 @@ TEST_P(PolyhedronMap, ShowsWhatTheCubeShows) {
     EXPECT_LE(sum / static_cast<double>(image.pixels.size()), 0.02);
 }
 
+INSTANTIATE_TEST_SUITE_P(Solids, PolyhedronPieces,
+                         testing::Values("tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron",
+                                         "flat", "long", "twins", "most"),
+                         [](const auto& solid) { return std::string(solid.param); });
 INSTANTIATE_TEST_SUITE_P(Solids, PolyhedronMap,
                          testing::Values("tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron"),
                          [](const auto& solid) { return std::string(solid.param); });
