@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes and pictures at the edge of what there can be: nothing crashes and nothing is not a number.
+#include "support/coded_room.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 
@@ -15,15 +16,14 @@ constexpr RenderSettings kSettings{16, 12, 1, 8};
 
 class Degenerate : public DeviceTest {
   protected:
-    /// Renders by all three methods; pixels must be finite and no sample may be left out.
+    /// Renders by all methods; pixels must be finite and no sample may be left out.
     void render_all(const Scene& scene, const Camera& camera, RenderSettings settings = kSettings) {
         check(trace(device(), scene, camera, settings, 2), "trace");
         const MapSettings maps{4, 1, {}};
-        check(render_with_maps(device(), scene, camera, settings, MapKind::polygon, maps, 2), "polygon-map");
-        check(render_with_maps(device(), scene, camera, settings, MapKind::sphere, maps, 2), "sphere-map");
-        check(render_with_maps(device(), scene, camera, settings, MapKind::proxy, maps, 2), "proxy-map");
-        check(render_with_maps(device(), scene, camera, settings, MapKind::distance, maps, 2),
-              "distance-map");
+        for (const MapKind kind : kMapKinds) {
+            SCOPED_TRACE(testing::Message() << "kind of map " << static_cast<int>(kind));
+            check(render_with_maps(device(), scene, camera, settings, kind, maps, 2), "mapped");
+        }
     }
 
     static void check(const Traced& result, const char* method) {
@@ -127,11 +127,38 @@ TEST_F(Degenerate, HugeGroundAndTinyObject) {
     render_all(scene, look_at(glm::dvec3(0, 2e-3, 1e-2), glm::dvec3(0, 1e-3, 0)));
 }
 
-TEST_F(Degenerate, MapsOfOneTexel) {
-    const MapSettings maps{1, 1, {}};
-    check(render_with_maps(device(), everything_scene(), everything_camera(), kSettings, MapKind::polygon,
-                           maps, 1),
-          "polygon-map");
+// Triangles without area reflect nothing, straddle nothing and move no capture point.
+TEST_F(Degenerate, MirrorWithZeroAreaTrianglesLooksTheSame) {
+    Scene scene;
+    CodedRoom({-2, -1, -2}, {2, 2, 3}).add_to(scene);
+    const std::uint32_t ball = add(scene, icosphere(glm::vec3(0.1f, 0.2f, 0.0f), 0.6f, 1), mirror());
+    Scene worn = scene;
+    std::vector<glm::uvec3>& triangles = worn.meshes[worn.instances[ball].mesh].triangles;
+    triangles.insert(triangles.begin() + 7, {{0, 0, 0}, {3, 3, 5}, {4, 6, 4}});
+    triangles.insert(triangles.end(), {{1, 2, 2}, {2, 1, 1}});
+    const Camera camera = look_at(glm::dvec3(0.3, 1.2, 2.5), glm::dvec3(0.1, 0.2, 0.0), 0.7);
+    for (const MapKind kind : kMapKinds) {
+        const MapSettings maps{16, 2, {}};
+        const Image clean = render_with_maps(device(), scene, camera, kSettings, kind, maps, 2).image;
+        const Image image = render_with_maps(device(), worn, camera, kSettings, kind, maps, 2).image;
+        EXPECT_TRUE(image.pixels == clean.pixels) << "kind of map " << static_cast<int>(kind);
+    }
+}
+
+// A plane seen exactly from its edge covers nothing.
+TEST_F(Degenerate, EyeInThePlaneOfTheMirrorDoesNotSeeIt) {
+    Scene scene;
+    CodedRoom({0, 0, 0}, {4, 3, 5}).add_to(scene);
+    const Camera camera = look_at(glm::dvec3(2, 1.5, 4.5), glm::dvec3(2, 1.5, 0));
+    const Image bare = trace(device(), scene, camera, kSettings, 2).image;
+    const MapSettings maps{16, 2, {}};
+    const Image drawn = render_with_maps(device(), scene, camera, kSettings, MapKind::cube, maps, 2).image;
+    add(scene, quad(glm::vec3(2, 0.5f, 0.5f), glm::vec3(0, 2, 0), glm::vec3(0, 0, 1.5f)), mirror());
+    EXPECT_TRUE(trace(device(), scene, camera, kSettings, 2).image.pixels == bare.pixels);
+    for (const MapKind kind : kMapKinds) {
+        const Image image = render_with_maps(device(), scene, camera, kSettings, kind, maps, 2).image;
+        EXPECT_TRUE(image.pixels == drawn.pixels) << "kind of map " << static_cast<int>(kind);
+    }
 }
 
 }  // namespace

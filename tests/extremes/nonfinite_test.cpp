@@ -32,7 +32,7 @@ class Nonfinite : public DeviceTest {
 TEST_F(Nonfinite, SamplesAreCountedAndLeftOut) {
     const Scene scene = surroundings(std::numeric_limits<float>::infinity());
     expect_all_counted(trace(device(), scene, camera_, kSettings, kSamples));
-    for (const MapKind kind : {MapKind::polygon, MapKind::sphere, MapKind::cube, MapKind::proxy}) {
+    for (const MapKind kind : kMapKinds) {
         expect_all_counted(
             render_with_maps(device(), scene, camera_, kSettings, kind, MapSettings{4, 1, {}}, kSamples));
     }

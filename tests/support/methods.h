@@ -7,7 +7,8 @@
 namespace utsuri::test {
 
 /// All ways to look reflections up in maps.
-inline constexpr MapKind kMapKinds[] = {MapKind::polygon, MapKind::sphere, MapKind::cube, MapKind::proxy};
+inline constexpr MapKind kMapKinds[] = {MapKind::polygon, MapKind::sphere,   MapKind::cube,
+                                        MapKind::proxy,   MapKind::distance, MapKind::hybrid};
 
 /// Renders a method that looks reflections up in maps.
 Traced render_with_maps(Device& device, const Scene& scene, const Camera& camera,
