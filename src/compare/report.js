@@ -3,72 +3,6 @@
 {
 const data = JSON.parse(document.getElementById("data").textContent);
 const results = [data.reference, ...data.methods];
-const byId = (id) => document.getElementById(id);
-
-/// An element with properties (or attributes, where there is no such property) and children. Names from the
-/// data reach the page only as text, never as markup.
-function make(tag, properties = {}, ...children) {
-    const element = document.createElement(tag);
-    for (const [name, value] of Object.entries(properties)) {
-        if (value === undefined) continue;
-        if (name in element) element[name] = value;
-        else element.setAttribute(name, value);
-    }
-    element.append(...children.filter((child) => child !== undefined));
-    return element;
-}
-
-const definitions = (pairs) => pairs.flatMap(([term, text]) => [make("dt", {}, term), make("dd", {}, text)]);
-
-// ---- numbers ----
-const missing = "–";
-const thinSpace = "\u202f";
-const units = {
-    seconds: [[1, "s"], [1e-3, "ms"], [1e-6, "µs"]],
-    bytes: [[2 ** 30, "GiB"], [2 ** 20, "MiB"], [2 ** 10, "KiB"], [1, "B"]],
-    count: [[1e9, "billion"], [1e6, "million"], [1e3, "thousand"], [1, ""]],
-    percent: [[0.01, "%"]],
-    one: [[1, ""]],
-};
-const grouped = (text) => text.replace(/\B(?=(\d{3})+(?!\d))/g, thinSpace);
-const whole = (value) => grouped(Math.round(value).toString());
-const exponentOf = (value) => Math.floor(Math.log10(Math.abs(value)));
-const isWhole = (kind, size) => size === 1 && kind !== "seconds";
-const chooseUnit = (kind, largest) =>
-    (largest === 0 ? units[kind][0] : units[kind].find(([size]) => largest >= size) ?? units[kind].at(-1));
-
-/// Three significant digits; powers of ten where zeros would hide the size.
-function significant(value) {
-    if (value === 0) return "0";
-    const exponent = exponentOf(value);
-    if (exponent < -3 || exponent > 5) {
-        const [mantissa, power] = value.toExponential(2).split("e");
-        const raised = [...power.replace("+", "")].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c])).join("");
-        return `${mantissa}${thinSpace}×${thinSpace}10${raised}`;
-    }
-    return exponent > 1 ? whole(value) : value.toFixed(2 - exponent);
-}
-
-function quantity(value, kind) {
-    if (value === null) return missing;
-    const [size, name] = chooseUnit(kind, Math.abs(value));
-    return `${isWhole(kind, size) ? whole(value) : significant(value / size)} ${name}`.trim();
-}
-
-/// One unit and one number of decimals for a column, so that its numbers compare at a glance.
-function columnFormat(kind, values) {
-    const present = values.filter((value) => value !== null && value !== 0).map(Math.abs);
-    const [size, name] = chooseUnit(kind, Math.max(0, ...present));
-    const exponents = present.map((value) => exponentOf(value / size));
-    const wanted = 2 - Math.min(2, ...exponents);
-    const decimals = isWhole(kind, size) ? 0 : Math.min(wanted, 3);
-    const digits = (value) => {
-        const text = decimals > 0 ? value.toFixed(decimals) : whole(value);
-        return value !== 0 && Number(text) === 0 ? significant(value) : text;
-    };
-    return { unit: name, format: (value) => (value === 0 ? "0" : digits(value / size)) };
-}
-
 // ---- tables ----
 const secondsPerSample = (r) => (r.settings.samples > 0 ? r.frame_seconds / r.settings.samples : null);
 
@@ -234,8 +168,6 @@ function card({ name, image, errorMap, result }) {
 }
 
 // ---- facts ----
-const fileName = (path) => path.split(/[\\/]/).filter(Boolean).at(-1) ?? path;
-
 function fillFacts() {
     const { reference, device } = data;
     document.title = `${fileName(data.scene)} – Utsuri comparison`;
@@ -263,17 +195,6 @@ function fillFacts() {
     byId("note-list").append(...data.notes.map((note) => make("li", {}, note)));
 }
 
-async function copyCommand() {
-    const command = byId("command");
-    try {
-        await navigator.clipboard.writeText(data.command);
-        byId("copy").textContent = "Copied";
-    } catch {
-        // Without permission the text is selected, ready for the reader's own copy command.
-        getSelection().selectAllChildren(command);
-    }
-}
-
 function viewerPictures() {
     const shown = pictures.filter((p) => p.image).map((p, index) => ({
         name: p.name, image: p.image, alt: `Picture by ${p.name}`,
@@ -289,7 +210,7 @@ fillFacts();
 byId("pictures").append(...pictures.map(card));
 fillCostTable();
 fillErrorTable();
-byId("copy").addEventListener("click", copyCommand);
+byId("copy").addEventListener("click", () => copyText(byId("copy"), byId("command")));
 startViewer(viewerPictures(), data.width, data.height)
     .then(() => { document.documentElement.dataset.ready = "true"; });
 }
