@@ -61,6 +61,10 @@ void write_exr_channels(const std::filesystem::path& path, std::uint32_t width, 
 /// nearest, not-a-number as 0.
 [[nodiscard]] std::vector<std::byte> encode_png_coded(const Image& coded);
 
+/// An 8-bit sRGB JPEG likewise, for pages that show many pictures.
+/// @param quality 1 to 100
+[[nodiscard]] std::vector<std::byte> encode_jpeg(const Image& linear, double stops, int quality);
+
 /// encode_png into a file that appears whole or not at all. @throws InputError if it cannot be written.
 void write_png(const std::filesystem::path& path, const Image& linear, double stops);
 

@@ -116,7 +116,11 @@ void write_exr_channels(const std::filesystem::path& path, std::uint32_t width, 
     write_bytes(path, encode("openexr", spec, OIIO::TypeDesc(OIIO::TypeDesc::FLOAT), interleaved.data()));
 }
 
-std::vector<std::byte> encode_png_coded(const Image& coded) {
+namespace {
+
+/// @param compression as OpenImageIO names it; empty for the format's own
+std::vector<std::byte> encode_coded(const std::string& format, const Image& coded,
+                                    const std::string& compression) {
     std::vector<std::uint8_t> rgb;
     rgb.reserve(coded.pixels.size() * 3);
     for (const glm::vec3& pixel : coded.pixels) {
@@ -126,7 +130,18 @@ std::vector<std::byte> encode_png_coded(const Image& coded) {
     const OIIO::TypeDesc type(OIIO::TypeDesc::UINT8);
     OIIO::ImageSpec spec(static_cast<int>(coded.width), static_cast<int>(coded.height), 3, type);
     spec.attribute("oiio:ColorSpace", "sRGB");
-    return encode("png", spec, type, rgb.data());
+    if (!compression.empty()) spec.attribute("compression", compression);
+    return encode(format, spec, type, rgb.data());
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_png_coded(const Image& coded) {
+    return encode_coded("png", coded, "");
+}
+
+std::vector<std::byte> encode_jpeg(const Image& linear, double stops, int quality) {
+    return encode_coded("jpeg", to_display(linear, stops), fmt::format("jpeg:{}", quality));
 }
 
 std::vector<std::byte> encode_png(const Image& linear, double stops) {

@@ -40,6 +40,44 @@ Mean mean_of(const std::vector<double>& values) {
     return mean;
 }
 
+// The mean of the halves is the picture, and a half differs from it by as much as the estimate says that the
+// picture differs from the truth.
+TEST_F(Noise, HalvesMakeUpThePicture) {
+    constexpr std::uint32_t kSize = 16;
+    constexpr std::uint32_t kSamples = 6;
+    const Scene scene = penumbra();
+    const SceneData data = prepare_scene_data(scene);
+    const GpuScene gpu_scene(device(), data);
+    FilmKernel kernel(device(), "trace_direct", kernels::trace_direct, gpu_scene.specialization(),
+                      gpu_scene.bindings());
+    FrameSettings frame;
+    frame.camera =
+        make_camera_info(look_at({-1.0, 0.3, 1.5}, {0, 0, 0}, kCloseUpAngle), data.origin, kSize, kSize);
+    Film film(device(), kSize, kSize, "halved film");
+    Progress progress;
+    kernel.add_samples(film, frame, 1, progress);
+    EXPECT_EQ(film.resolve_half(0).pixels, film.resolve().pixels);
+    EXPECT_EQ(film.resolve_half(1).pixels, Image(kSize, kSize).pixels);
+    kernel.add_samples(film, frame, kSamples - 1, progress);
+    const Image whole = film.resolve();
+    const Image even = film.resolve_half(0);
+    const Image odd = film.resolve_half(1);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
+        const glm::dvec3 mean = 0.5 * (glm::dvec3(even.pixels[i]) + glm::dvec3(odd.pixels[i]));
+        for (int c = 0; c < 3; ++c) {
+            const auto value = static_cast<double>(whole.pixels[i][c]);
+            EXPECT_NEAR(mean[c], value, 0x1p-23 * value);  // float32, rounded to nearest
+            const double difference = static_cast<double>(even.pixels[i][c]) - value;
+            squares += difference * difference;
+        }
+    }
+    const double noise = film.estimate_noise().mse;
+    EXPECT_GT(noise, 0.0);
+    EXPECT_NEAR(squares / (3.0 * kSize * kSize), noise,
+                1e-5 * noise);  // differences of float32 values near 1
+}
+
 // The halves of a film predict the variance of its pixels: over 32 seeds the mean prediction is the variance
 // that the 32 pictures really have.
 TEST_F(Noise, PredictedErrorIsTheActualSpread) {

@@ -46,15 +46,25 @@ void Film::clear() {
 }
 
 Image Film::resolve() const {
+    return mean(
+        [](const interop::FilmPixel& pixel) { return total(pixel.halves[0]) + total(pixel.halves[1]); },
+        samples_);
+}
+
+Image Film::resolve_half(std::uint32_t half) const {
+    UTSURI_CHECK_LT(half, 2u);
+    return mean([half](const interop::FilmPixel& pixel) { return total(pixel.halves[half]); },
+                (samples_ + 1 - half) / 2);
+}
+
+Image Film::mean(const std::function<glm::dvec3(const interop::FilmPixel&)>& sum, std::uint32_t count) const {
     Image image(width_, height_);
-    if (samples_ == 0) return image;
+    if (count == 0) return image;
     std::size_t at = 0;
     for (const Band& band : bands_) {
         const auto pixels = band.pixels.download_records<interop::FilmPixel>(std::size_t{width_} * band.rows);
-        for (const interop::FilmPixel& pixel : pixels) {
-            const glm::dvec3 sum = total(pixel.halves[0]) + total(pixel.halves[1]);
-            image.pixels[at++] = glm::vec3(sum / static_cast<double>(samples_));
-        }
+        for (const interop::FilmPixel& pixel : pixels)
+            image.pixels[at++] = glm::vec3(sum(pixel) / static_cast<double>(count));
     }
     return image;
 }

@@ -7,6 +7,7 @@
 #include "interop/frame.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace utsuri {
@@ -41,6 +42,10 @@ class Film {
 
     /// Mean over the samples; black without samples.
     [[nodiscard]] Image resolve() const;
+    /// Mean over every other sample, the even ones (0) or the odd ones (1); black without any. The halves are
+    /// independent. Of an even number of samples, a half differs from the whole by as much as the whole from
+    /// the truth, in the mean square.
+    [[nodiscard]] Image resolve_half(std::uint32_t half) const;
     /// Needs an even number of samples, at least 2.
     [[nodiscard]] NoiseEstimate estimate_noise() const;
 
@@ -50,6 +55,9 @@ class Film {
     }
 
   private:
+    [[nodiscard]] Image mean(const std::function<glm::dvec3(const interop::FilmPixel&)>& sum,
+                             std::uint32_t count) const;
+
     std::uint32_t width_;
     std::uint32_t height_;
     std::uint32_t samples_ = 0;

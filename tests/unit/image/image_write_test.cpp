@@ -127,6 +127,21 @@ TEST_F(WriteImage, CodedPngIsNotCodedAgain) {
     EXPECT_EQ(back.at(1, 0).z, 0.0f);
 }
 
+TEST_F(WriteImage, JpegIsNearlyThePicture) {
+    // A smooth picture: what quality 95 takes away from it is a few code values, here as linear light.
+    constexpr float kFewCodeValues = 0.03f;
+    const Image image = test::grey_picture(32, 24, [](std::uint32_t x, std::uint32_t y) {
+        return 0.1f + 0.02f * static_cast<float>(x) + 0.01f * static_cast<float>(y);
+    });
+    const std::vector<std::byte> bytes = encode_jpeg(image, 0.0, 95);
+    const Image back = read_image(store("a.jpg", bytes));
+    ASSERT_TRUE(back.same_size(image));
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        EXPECT_NEAR(back.pixels[i].x, image.pixels[i].x, kFewCodeValues) << i;
+    EXPECT_LT(encode_jpeg(test::noise(64, 64, 1), 0.0, 30).size(),
+              encode_jpeg(test::noise(64, 64, 1), 0.0, 95).size());
+}
+
 TEST_F(WriteImage, FileAndMemoryAreTheSamePng) {
     const Image image = test::noise(30, 20, 8);
     write_png(path("a.png"), image, 0.5);
