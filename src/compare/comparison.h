@@ -64,6 +64,8 @@ struct Comparison {
     /// left an odd number of samples, which cannot be halved.
     double reference_noise = 0.0;
     double reference_noise_mse = 0.0;  ///< in the unit of Metrics::mse
+    /// Mean of every other sample of the reference; see Film::resolve_half().
+    Image reference_half;
     std::vector<MethodResult> methods;
     std::vector<MethodFailure> failures;  ///< the methods that are missing for a reason
     Mask reflective;

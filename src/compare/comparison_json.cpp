@@ -34,6 +34,8 @@ Json settings_to_json(const MethodResult& result) {
     return json;
 }
 
+}  // namespace
+
 Json result_to_json(const MethodResult& result) {
     return {{"name", method_name(result.method)},
             {"light", to_string(result.method.light)},
@@ -51,8 +53,6 @@ Json result_to_json(const MethodResult& result) {
             {"nonfinite", result.nonfinite},
             {"image", result.image_file}};
 }
-
-}  // namespace
 
 Json metrics_to_json(const Metrics& metrics) {
     return {{"mse", number(metrics.mse)},   {"rel_mse", number(metrics.rel_mse)},

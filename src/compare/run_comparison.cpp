@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/run_comparison.h"
 
+#include "compare/measure.h"
 #include "renderers/common/aov.h"
 #include "renderers/common/frame_camera.h"
 
@@ -15,10 +16,6 @@
 namespace utsuri {
 namespace {
 
-double fraction(std::uint64_t part, std::uint64_t whole) {
-    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
-}
-
 std::string file_stem(const Method& method) {
     std::string name = method_name(method);
     std::replace(name.begin(), name.end(), '/', '_');
@@ -28,6 +25,7 @@ std::string file_stem(const Method& method) {
 struct Rendered {
     MethodResult result;
     std::optional<NoiseEstimate> noise;
+    Image half;
 };
 
 Rendered render(const RenderInput& input, const Method& method, const RenderSettings& settings,
@@ -43,34 +41,9 @@ Rendered render(const RenderInput& input, const Method& method, const RenderSett
 
     Rendered rendered;
     if (film.samples() >= 2 && film.samples() % 2 == 0) rendered.noise = film.estimate_noise();
-    const RenderStatistics& statistics = renderer->statistics();
-    MethodResult& result = rendered.result;
-    result.method = method;
-    result.samples = film.samples();
-    if (uses_maps(method)) result.maps = maps;
-    result.prepare_seconds = statistics.prepare_seconds;
-    result.compile_seconds = statistics.compile_seconds;
-    result.frame_seconds = statistics.frame_seconds;
-    result.gpu_seconds = statistics.counts.gpu_seconds;
-    result.peak_bytes = input.device.memory().peak;
-    result.rays = statistics.counts.rays;
-    result.prepare_rays = statistics.prepare_counts.rays;
-    result.traced_fraction = fraction(statistics.counts.traced, statistics.counts.lookups);
-    result.nonfinite = statistics.counts.nonfinite + statistics.prepare_counts.nonfinite;
-    result.truncated_fraction = fraction(statistics.counts.truncated, statistics.counts.lookups);
-    result.image = film.resolve();
+    rendered.half = film.resolve_half(0);
+    rendered.result = collect_result(method, maps, *renderer, film, input.device);
     return rendered;
-}
-
-void measure(const Comparison& comparison, MethodResult& result) {
-    MetricSettings settings;
-    settings.exposure = comparison.exposure;
-    const Image& reference = comparison.reference.image;
-    PerceptualMaps maps = compute_perceptual_maps(reference, result.image, settings);
-    result.metrics = compute_metrics(reference, result.image, &maps, nullptr, settings);
-    result.metrics_reflective =
-        compute_metrics(reference, result.image, &maps, &comparison.reflective, settings);
-    result.flip = std::move(maps.flip);
 }
 
 }  // namespace
@@ -98,6 +71,7 @@ Comparison run_comparison(const RenderInput& input, const ComparisonSettings& se
                settings.reference_samples, "reference direct/trace", progress);
     if (reference.result.samples == 0) throw Interrupted();
     comparison.reference = std::move(reference.result);
+    comparison.reference_half = std::move(reference.half);
     comparison.reference.image_file = "reference.exr";
     const double scale = normalisation(comparison.reference.image);
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -113,7 +87,7 @@ Comparison run_comparison(const RenderInput& input, const ComparisonSettings& se
                                       .result;
             if (result.samples == 0) break;
             progress.begin(fmt::format("{}, measuring", method_name(method)));
-            measure(comparison, result);
+            measure_errors(comparison, result);
             result.image_file = file_stem(method) + ".exr";
             result.error_map_file = file_stem(method) + "_flip.png";
             comparison.methods.push_back(std::move(result));

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/trade_sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace utsuri {
+namespace {
+
+/// Sizes of maps tried, as shares of the size asked for.
+constexpr std::array kMapScales = {0.25, 1.0, 2.0};
+/// Interpolation errors of polygons tried, in degrees: a texel of a map of 256 is a third of a degree.
+constexpr std::array kPolygonErrors = {4.0, 1.0};
+constexpr std::uint32_t kLargestMap = 4096;
+
+TradeSetting with_map_size(TradeSetting setting, std::uint32_t size) {
+    setting.maps.size = size;
+    setting.options.insert(setting.options.end(), {"--map-size", fmt::format("{}", size)});
+    return setting;
+}
+
+TradeSetting with_polygon_error(TradeSetting setting, double degrees) {
+    setting.maps.refinement.error = degrees * std::numbers::pi / 180.0;
+    setting.options.insert(setting.options.end(), {"--polygon-error", fmt::format("{}", degrees)});
+    return setting;
+}
+
+/// Each size once, the smallest first.
+std::vector<std::uint32_t> map_sizes(std::uint32_t given) {
+    std::vector<std::uint32_t> sizes;
+    for (const double scale : kMapScales) {
+        const auto size = static_cast<std::uint32_t>(scale * given);
+        sizes.push_back(std::clamp(size, 1u, kLargestMap));
+    }
+    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+    return sizes;
+}
+
+/// What a method is swept over.
+std::vector<TradeSetting> settings_of(const Method& method, const MapSettings& given) {
+    const TradeSetting plain{method, given, {"--reflection", std::string(to_string(method.reflection))}};
+    std::vector<TradeSetting> settings;
+    if (!uses_maps(method)) return {plain};
+    for (const std::uint32_t size : map_sizes(given.size))
+        settings.push_back(with_map_size(plain, size));
+    const bool as_modelled = !given.refinement.edge && !given.refinement.error;
+    if (method.reflection == ReflectionMethod::polygon_map && as_modelled) {
+        for (const double degrees : kPolygonErrors)
+            settings.push_back(with_polygon_error(with_map_size(plain, given.size), degrees));
+    }
+    return settings;
+}
+
+}  // namespace
+
+std::vector<TradeSetting> swept_settings(const std::vector<Method>& methods, const MapSettings& given) {
+    std::vector<TradeSetting> all;
+    for (const Method& method : methods) {
+        const std::vector<TradeSetting> settings = settings_of(method, given);
+        all.insert(all.end(), settings.begin(), settings.end());
+    }
+    return all;
+}
+
+std::vector<std::uint32_t> swept_samples(std::uint32_t most) {
+    std::vector<std::uint32_t> counts;
+    for (std::uint64_t count = 1; count < most; count *= 2)
+        counts.push_back(static_cast<std::uint32_t>(count));
+    counts.push_back(most);
+    return counts;
+}
+
+}  // namespace utsuri

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/trade_sweep.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <set>
+#include <string>
+
+namespace utsuri {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<TradeSetting> settings_of(ReflectionMethod reflection, const MapSettings& given) {
+    return swept_settings({{LightMethod::direct, reflection}}, given);
+}
+
+TEST(Sweep, SamplesAreThePowersOfTwoAndTheMost) {
+    EXPECT_THAT(swept_samples(1), ElementsAre(1));
+    EXPECT_THAT(swept_samples(16), ElementsAre(1, 2, 4, 8, 16));
+    EXPECT_THAT(swept_samples(20), ElementsAre(1, 2, 4, 8, 16, 20));
+    EXPECT_EQ(swept_samples(1u << 24).size(), 25u);
+}
+
+TEST(Sweep, TracingHasNothingToSet) {
+    const auto settings = settings_of(ReflectionMethod::trace, {});
+    ASSERT_EQ(settings.size(), 1u);
+    EXPECT_THAT(settings[0].options, ElementsAre("--reflection", "trace"));
+}
+
+TEST(Sweep, MapsAreTriedAroundTheSizeAskedFor) {
+    MapSettings given;
+    given.size = 100;
+    given.samples = 3;
+    const auto settings = settings_of(ReflectionMethod::cube_map, given);
+    ASSERT_EQ(settings.size(), 3u);
+    EXPECT_THAT(settings[0].options, ElementsAre("--reflection", "cube-map", "--map-size", "25"));
+    EXPECT_EQ(settings[0].maps.size, 25u);
+    EXPECT_EQ(settings[1].maps.size, 100u);
+    EXPECT_EQ(settings[2].maps.size, 200u);
+    EXPECT_EQ(settings[2].maps.samples, 3u);
+}
+
+TEST(Sweep, SizesOutsideWhatThereIsAreNotTried) {
+    MapSettings given;
+    given.size = 1;
+    const auto smallest = settings_of(ReflectionMethod::cube_map, given);
+    ASSERT_EQ(smallest.size(), 2u);
+    EXPECT_EQ(smallest[0].maps.size, 1u);
+    EXPECT_EQ(smallest[1].maps.size, 2u);
+    given.size = 4096;
+    EXPECT_EQ(settings_of(ReflectionMethod::cube_map, given).back().maps.size, 4096u);
+}
+
+TEST(Sweep, PolygonsAreTriedUnlessTheirSizeIsGiven) {
+    MapSettings given;
+    const auto settings = settings_of(ReflectionMethod::polygon_map, given);
+    EXPECT_THAT(settings.back().options,
+                ElementsAre("--reflection", "polygon-map", "--map-size", "256", "--polygon-error", "1"));
+    EXPECT_DOUBLE_EQ(settings.back().maps.refinement.error.value(), std::numbers::pi / 180.0);
+    given.refinement.edge = 0.1;
+    for (const TradeSetting& setting : settings_of(ReflectionMethod::polygon_map, given)) {
+        EXPECT_EQ(setting.maps.refinement.edge, 0.1);
+        EXPECT_FALSE(setting.maps.refinement.error);
+    }
+}
+
+TEST(Sweep, EveryMethodIsTriedAndNoSettingTwice) {
+    const auto settings = swept_settings(all_methods(LightMethod::direct), {});
+    std::set<std::vector<std::string>> options;
+    std::set<std::string> methods;
+    for (const TradeSetting& setting : settings) {
+        options.insert(setting.options);
+        methods.insert(method_name(setting.method));
+        EXPECT_EQ(setting.options[0], "--reflection");
+        EXPECT_EQ(setting.options[1], to_string(setting.method.reflection));
+    }
+    EXPECT_EQ(options.size(), settings.size());
+    EXPECT_EQ(methods.size(), all_methods(LightMethod::direct).size());
+}
+
+}  // namespace
+}  // namespace utsuri
