@@ -2,6 +2,7 @@
 #include "cli/command.h"
 #include "cli/output.h"
 #include "compare/comparison_json.h"
+#include "compare/error_metric.h"
 
 #include "image/error_map.h"
 #include "image/metrics.h"
@@ -81,7 +82,7 @@ void add_diff_command(CLI::App& app, Action& action) {
     command->add_option("-o,--error-map", options->error_map, "Write the FLIP error map as PNG")
         ->type_name("FILE");
     command->add_option("--metric", options->metric, "Metric for --fail-above")
-        ->check(CLI::IsMember({"mse", "rel_mse", "mape", "flip", "max", "p999"}))
+        ->check(CLI::IsMember(error_metric_names()))
         ->capture_default_str();
     command->add_option("--fail-above", options->fail_above, "Exit with 1 if the metric is above this")
         ->check(finite_range(0.0, std::numeric_limits<double>::max()));

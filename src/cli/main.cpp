@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/command.h"
 
+#include "base/command_line.h"
 #include "base/error.h"
 #include "base/progress.h"
 #include "base/version.h"
@@ -14,26 +15,17 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace utsuri {
 namespace {
 
-std::string quote(const std::string& argument) {
-    const bool plain =
-        !argument.empty() && argument.find_first_of(" \t\n'\"\\$`*?;&|<>()[]{}!#~") == std::string::npos;
-    if (plain) return argument;
-    std::string quoted = "'";
-    for (const char c : argument)
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
-}
-
 /// The command line as a shell would take it, for reports.
 std::string command_line(int argc, char** argv) {
-    std::string text = "utsuri";
+    std::vector<std::string> words = {"utsuri"};
     for (int i = 1; i < argc; ++i)
-        text += " " + quote(argv[i]);
-    return text;
+        words.emplace_back(argv[i]);
+    return shell_command(words);
 }
 
 /// The parser says that a subcommand is missing, but not that the word in its place is none.
@@ -63,6 +55,7 @@ int run(int argc, char** argv) {
     Action action;
     add_compare_command(app, command_line(argc, argv), action);
     add_render_command(app, action);
+    add_trade_command(app, command_line(argc, argv), action);
     add_info_command(app, action);
     add_diff_command(app, action);
     add_devices_command(app, action);

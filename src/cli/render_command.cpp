@@ -4,6 +4,7 @@
 #include "cli/output.h"
 #include "cli/progress_line.h"
 #include "cli/session.h"
+#include "cli/trade_choice.h"
 #include "compare/comparison_json.h"
 #include "compare/comparison_table.h"
 #include "renderers/common/frame_camera.h"
@@ -16,6 +17,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -27,6 +29,7 @@ using Clock = std::chrono::steady_clock;
 struct RenderOptions {
     CommonOptions common;
     PictureOptions picture;
+    ChoiceOptions choice;
     std::string scene;
     std::string output;
     std::string light = "direct";
@@ -112,6 +115,49 @@ nlohmann::ordered_json to_json(const Result& result, const RenderOptions& option
             {"truncated", counts.truncated}};
 }
 
+/// The options that decide how a picture is made.
+void add_method_options(CLI::App& command, RenderOptions& options) {
+    command.add_option("--light", options.light, "Light at diffuse surfaces: direct")->capture_default_str();
+    command
+        .add_option(
+            "--reflection", options.reflection,
+            "Reflections: trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map or hybrid")
+        ->capture_default_str();
+    command
+        .add_option("--spp", options.samples, "Samples per pixel, or the most with --time or --noise [16]")
+        ->check(CLI::Range(1u, kMostSamples));
+    command.add_option("--time", options.time, "Time for samples, such as 500ms, 10s or 5min");
+    command
+        .add_option("--noise", options.noise, "Relative standard error of the pixels to reach, such as 0.01")
+        ->check(finite_range(kLeastNoise, kMostNoise));
+}
+
+/// Sets the options that a run of a trade stands for.
+void apply_run(const TradeRun& run, RenderOptions& options) {
+    CLI::App parser;
+    add_method_options(parser, options);
+    add_picture_options(parser, options.picture);
+    std::vector<std::string> words = run.options;
+    words.insert(words.end(), {"--spp", fmt::format("{}", run.result.samples)});
+    std::reverse(words.begin(), words.end());  // as the parser takes them
+    parser.parse(words);
+}
+
+/// Chooses method and settings by what they were measured to take and to be wrong by.
+/// @param given the picture options as the user gave them
+/// @returns the choice as JSON
+nlohmann::ordered_json choose(RenderOptions& options, const std::vector<std::string>& given,
+                              const RenderInput& input, ProgressLine& progress) {
+    const LightMethod light = parse_light(options.light);
+    const ComparisonSettings settings = trade_settings(options.picture, all_methods(light), light);
+    const Trade trade = kept_or_measured(input, settings, given, progress);
+    const TradePoint point = choose_run(trade, options.choice);
+    apply_run(trade.runs[point.run], options);
+    progress.clear();
+    print_text(options.common, choice_text(trade, point, options.choice));
+    return choice_to_json(trade, point, options.choice);
+}
+
 void write_picture(const Result& result, const RenderOptions& options, const std::vector<ExrChannels>& aovs) {
     const std::filesystem::path path(options.output);
     if (path.extension() == ".png") {
@@ -150,14 +196,22 @@ void check_output(const RenderOptions& options) {
     make_output_folder(folder);  // which is there: proves before the work that its result can be written
 }
 
-ExitCode render(const RenderOptions& options) {
+/// Finds mistakes before the work begins.
+void check_options(const RenderOptions& options) {
+    static_cast<void>(options.picture.map_settings());
+    parse_light(options.light);
+    parse_reflection(options.reflection);
+    for (const std::string& time : {options.time, options.choice.within}) {
+        if (!time.empty()) parse_duration(time);
+    }
+    check_output(options);
+}
+
+ExitCode render(RenderOptions options, const std::vector<std::string>& given) {
     const auto start = Clock::now();
     const RenderSettings settings = options.picture.render_settings();
-    const MapSettings maps = options.picture.map_settings();
-    const Method method{parse_light(options.light), parse_reflection(options.reflection)};
     const AovSelection aovs = parse_aovs(options.aovs);
-    if (!options.time.empty()) parse_duration(options.time);
-    check_output(options);
+    check_options(options);
 
     const LoadedScene loaded = load_scene(options.scene);
     const Camera& camera = choose_camera(loaded.scene, options.picture.camera);
@@ -169,8 +223,13 @@ ExitCode render(const RenderOptions& options) {
     const GpuScene scene(session.device(), data);
     FilledLight light;
     light.settings = options.picture.light_settings();
+    const RenderInput input{session.device(), data, scene, camera, light};
+    nlohmann::ordered_json choice;
+    if (options.choice.wanted()) choice = choose(options, given, input, progress);
+    session.device().reset_peak_memory();
+    const Method method{parse_light(options.light), parse_reflection(options.reflection)};
     const std::unique_ptr<Renderer> renderer =
-        make_renderer(method, {session.device(), data, scene, camera, light}, settings, maps);
+        make_renderer(method, input, settings, options.picture.map_settings());
     progress.begin("preparing");
     renderer->prepare(progress);
     Film film(session.device(), settings.width, settings.height, "picture");
@@ -198,7 +257,9 @@ ExitCode render(const RenderOptions& options) {
         fmt::print(stderr, "warning: {} samples were not finite and were left out\n",
                    result.statistics.counts.nonfinite);
     }
-    write_json(options.common, to_json(result, options, session.device()));
+    nlohmann::ordered_json json = to_json(result, options, session.device());
+    json["choice"] = choice;
+    write_json(options.common, json);
     session.check_validation();
     return progress.cancelled() ? ExitCode::interrupted : ExitCode::success;
 }
@@ -212,26 +273,23 @@ void add_render_command(CLI::App& app, Action& action) {
     command->add_option("-o,--output", options->output, "Picture: .exr (cd/m2) or .png (for display)")
         ->required()
         ->type_name("FILE");
-    command->add_option("--light", options->light, "Light at diffuse surfaces: direct")
-        ->capture_default_str();
-    command
-        ->add_option(
-            "--reflection", options->reflection,
-            "Reflections: trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map or hybrid")
-        ->capture_default_str();
-    command
-        ->add_option("--spp", options->samples, "Samples per pixel, or the most with --time or --noise [16]")
-        ->check(CLI::Range(1u, kMostSamples));
-    command->add_option("--time", options->time, "Time for samples, such as 500ms, 10s or 5min");
-    command
-        ->add_option("--noise", options->noise,
-                     "Relative standard error of the pixels to reach, such as 0.01")
-        ->check(finite_range(kLeastNoise, kMostNoise));
+    add_method_options(*command, *options);
     command->add_option("--aov", options->aovs,
                         "First-hit channels for the .exr, separated by commas: " + aov_names());
+    add_choice_options(*command, options->choice);
+    for (const char* choice : {"--within", "--error"}) {
+        for (const char* fixed : {"--reflection", "--spp", "--time", "--noise"})
+            command->get_option(choice)->excludes(fixed);
+    }
     add_picture_options(*command, options->picture);
     add_common_options(*command, options->common);
-    command->callback([=, &action] { action = [=] { return render(*options); }; });
+    command->footer(
+        "--within and --error look the choice up in what 'utsuri trade' finds for this scene, camera, size "
+        "and "
+        "device. That is measured once, which takes minutes, and kept in $XDG_CACHE_HOME/utsuri or "
+        "~/.cache/utsuri. Maps of a quarter, once and twice --map-size are tried.");
+    command->callback(
+        [=, &action] { action = [=] { return render(*options, given_picture_options(*command)); }; });
 }
 
 }  // namespace utsuri

@@ -7,7 +7,7 @@ import unittest
 import gltf_scene
 from cli_case import USAGE, CliCase
 
-SUBCOMMANDS = ("compare", "render", "info", "diff", "devices")
+SUBCOMMANDS = ("compare", "render", "trade", "info", "diff", "devices")
 
 
 class BadOptions(CliCase):
@@ -20,10 +20,13 @@ class BadOptions(CliCase):
             self.fail_with(USAGE, words, *arguments)
 
     def refuse_picture_option(self, option, values, *words):
-        """`render` refuses each of the values, and `compare` the first."""
+        """`render` refuses each of the values, and `compare` and `trade` the first."""
         for value in values:
             self.refuse((value, *words), "render", "scene.glb", "-o", "picture.exr", option, value)
-        self.refuse((values[0], *words), "compare", "scene.glb", "-o", "folder", option, values[0])
+        for name in ("compare", "trade"):
+            given = "--most-spp" if (name, option) == ("trade", "--spp") else option
+            told = [given if word == option else word for word in words]
+            self.refuse((values[0], *told), name, "scene.glb", "-o", "folder", given, values[0])
 
     def test_no_or_unknown_subcommand(self):
         self.refuse(("subcommand is required",))
@@ -36,7 +39,7 @@ class BadOptions(CliCase):
             self.refuse(("--sharpness", "--help"), name, *arguments, *needed, "--sharpness")
 
     def test_missing_arguments(self):
-        for name in ("compare", "render", "info"):
+        for name in ("compare", "render", "trade", "info"):
             self.refuse(("scene is required",), name)
         self.refuse(("test is required",), "diff", "a.png")
         self.refuse(("--output is required",), "render", "scene.glb")
@@ -54,8 +57,9 @@ class BadOptions(CliCase):
             values = (str(lowest - 1), str(highest + 1), "many", "1.5", "nan")
             self.refuse_picture_option(option, values, option, f"{lowest} to {highest}")
         for value in ("1", str(2**24 + 1)):
-            self.refuse(("--reference-spp", value, "2 to 16777216"),
-                        "compare", "scene.glb", "--reference-spp", value)
+            for name in ("compare", "trade"):
+                self.refuse(("--reference-spp", value, "2 to 16777216"),
+                            name, "scene.glb", "--reference-spp", value)
         self.refuse(("--map-size", "1 to 4096"), "info", "scene.glb", "--map-size", "4097")
 
     def test_real_numbers(self):
@@ -69,6 +73,7 @@ class BadOptions(CliCase):
             self.refuse(("--noise", value, "1e-07 to 1e+06"),
                         "render", "scene.glb", "-o", "picture.exr", "--noise", value)
         for value in ("-0.1", "nan", "inf", "low"):
+            self.refuse(("--error", value, "0 to"), "trade", "scene.glb", "--error", value)
             self.refuse(("--fail-above", value, "0 to"), "compare", "scene.glb", "--fail-above", value)
             self.refuse(("--fail-above", value, "0 to"), "diff", "a.png", "b.png", "--fail-above", value)
 
@@ -97,6 +102,7 @@ class BadOptions(CliCase):
         for value in ("0s", "-1s", "nan", "inf", "1h", "soon", "1 s", "1e999s"):
             self.refuse((f"'{value}'", "positive time such as 33ms"),
                         "render", "scene.glb", "-o", "picture.exr", "--time", value)
+            self.refuse((f"'{value}'", "positive time such as 33ms"), "trade", "scene.glb", "--within", value)
 
     def test_points(self):
         points = ("1,2", "1,2,3,4", "1,2,x", "1;2;3", "0,nan,0", "0,0,inf")
@@ -111,6 +117,8 @@ class BadOptions(CliCase):
                         "compare", "scene.glb", "--methods", methods)
         self.refuse(("'smell'", "depth, position, normal"),
                     "render", "scene.glb", "-o", "picture.exr", "--aov", "depth,smell")
+            self.refuse(("magic'",), "trade", "scene.glb", "--methods", methods)
+        self.refuse(("--metric", "psnr", "rel_mse"), "trade", "scene.glb", "--metric", "psnr")
         self.refuse(("--metric", "psnr", "rel_mse"), "diff", "a.png", "b.png", "--metric", "psnr")
 
     def test_polyhedra(self):

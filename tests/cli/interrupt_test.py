@@ -91,6 +91,21 @@ class Interrupt(CliCase):
         present = {path.name for path in (self.scratch / "report").iterdir()}
         self.assertEqual(present, compare_test.named_files(values))
 
+    def test_trade_keeps_finished_runs(self):
+        self.interrupt(r"2 of \d+: --reflection polygon-map --map-size 128, preparing", "trade",
+                       self.scene("office"), "-o", "out", *SMALL, "--methods", "trace,polygon-map",
+                       "--most-spp", "2", "--reference-spp", "2", *ENDLESS_MAPS)
+        values = self.load("out/trade.json")
+        self.assertTrue(values["interrupted"])
+        self.assertEqual([run["settings"]["samples"] for run in values["runs"]], [1, 2])
+        self.assertEqual({run["name"] for run in values["runs"]}, {"direct/trace"})
+        self.assertTrue((self.scratch / "out/trade.html").is_file())
+
+    def test_trade_without_a_reference_leaves_nothing(self):
+        self.interrupt(r"reference direct/trace, \d+ samples per pixel: \d+ %", "trade", self.scene("cornell"),
+                       "-o", "out", *SMALL, "--reference-spp", HOURS)
+        self.assertEqual(self.files(), ["out"])
+
 
 if __name__ == "__main__":
     unittest.main()

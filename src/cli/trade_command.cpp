@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/command.h"
+#include "cli/output.h"
+#include "cli/progress_line.h"
+#include "cli/session.h"
+#include "cli/trade_choice.h"
+#include "compare/run_trade.h"
+#include "compare/trade_json.h"
+#include "compare/trade_page.h"
+#include "compare/trade_table.h"
+
+#include "base/command_line.h"
+#include "base/file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace utsuri {
+namespace {
+
+struct TradeOptions {
+    CommonOptions common;
+    PictureOptions picture;
+    ChoiceOptions choice;
+    std::string scene;
+    std::string folder;
+    std::string light = "direct";
+    std::string methods;
+    std::uint32_t most_samples = kTradeSamples;
+    std::uint32_t reference_samples = kTradeReferenceSamples;
+};
+
+ComparisonSettings settings_of(const TradeOptions& options) {
+    const LightMethod light = parse_light(options.light);
+    std::vector<Method> methods;
+    for (const std::string& name : split_list(options.methods))
+        methods.push_back({light, parse_reflection(name)});
+    if (options.methods.empty()) methods = all_methods(light);
+    ComparisonSettings settings = trade_settings(options.picture, methods, light);
+    settings.samples = options.most_samples;
+    settings.reference_samples = options.reference_samples + options.reference_samples % 2;
+    return settings;
+}
+
+/// Words that all runs share when `utsuri render` carries them out.
+std::vector<std::string> scene_words(const TradeOptions& options, const std::vector<std::string>& given) {
+    const std::string stem = std::filesystem::path(options.scene).stem().string();
+    std::vector<std::string> words = {options.scene, "-o", stem + ".exr"};
+    if (!options.common.device.empty()) words.insert(words.end(), {"--device", options.common.device});
+    words.insert(words.end(), given.begin(), given.end());
+    return words;
+}
+
+/// A setting of the sweep that cannot be carried out here is a finding; a device that fails is not.
+ExitCode exit_code(const Trade& trade) {
+    if (trade.interrupted) return ExitCode::interrupted;
+    for (const TradeFailure& failure : trade.failures) {
+        if (failure.exit_code != ExitCode::usage || trade.runs.empty()) return failure.exit_code;
+    }
+    return ExitCode::success;
+}
+
+ExitCode trade(const TradeOptions& options, const std::vector<std::string>& given,
+               const std::string& command_line) {
+    const ComparisonSettings settings = settings_of(options);
+    if (!options.choice.within.empty()) parse_duration(options.choice.within);
+    const std::filesystem::path scene_path(options.scene);
+    const std::filesystem::path folder =
+        options.folder.empty() ? "trade-" + scene_path.stem().string() : options.folder;
+
+    const LoadedScene loaded = load_scene(scene_path);
+    const Camera& camera = choose_camera(loaded.scene, options.picture.camera);
+    DeviceSession session(options.common);
+    make_output_folder(folder);
+    ProgressLine progress(options.common.quiet);
+    progress.begin("building the BVH");
+    const SceneData data = prepare_scene_data(loaded.scene);
+    const GpuScene scene(session.device(), data);
+    FilledLight light;
+    light.settings = options.picture.light_settings();
+    const RenderInput input{session.device(), data, scene, camera, light};
+    Trade trade = run_trade(input, settings, progress);
+    trade.basis.scene = options.scene;
+    trade.basis.command = command_line;
+    trade.basis.import_seconds = loaded.import_seconds;
+    trade.basis.notes = loaded.notes;
+    trade.scene_options = scene_words(options, given);
+    progress.begin("writing trade.html");
+    write_trade(trade, options.choice.metric, folder);
+    if (!trade.interrupted) keep_for_later(input, settings, given, trade);
+    progress.clear();
+
+    print_notes(options.common, loaded.notes);
+    print_text(options.common, trade_table(trade, parse_error_metric(options.choice.metric)));
+    print_text(options.common, fmt::format("\n{}\n", (folder / "trade.html").string()));
+    session.check_validation();
+    nlohmann::ordered_json json = trade_to_json(trade);
+    if (options.choice.wanted()) {
+        const TradePoint point = choose_run(trade, options.choice);
+        const std::string command = shell_command(trade.render_command(trade.runs[point.run]));
+        print_text(options.common,
+                   fmt::format("\n{}{}\n", choice_text(trade, point, options.choice), command));
+        json["choice"] = choice_to_json(trade, point, options.choice);
+        json["choice"]["command"] = command;
+    }
+    write_json(options.common, json);
+    return exit_code(trade);
+}
+
+}  // namespace
+
+void add_trade_command(CLI::App& app, const std::string& command_line, Action& action) {
+    auto options = std::make_shared<TradeOptions>();
+    CLI::App* command = app.add_subcommand(
+        "trade", "Find what time buys: all methods over their settings, error against time");
+    command->add_option("scene", options->scene, "glTF scene, .gltf or .glb")->required()->type_name("SCENE");
+    command->add_option("-o,--output", options->folder, "Folder for trade.json and trade.html [trade-SCENE]")
+        ->type_name("DIR");
+    command->add_option("--light", options->light, "Light at diffuse surfaces: direct")
+        ->capture_default_str();
+    command->add_option("--methods", options->methods,
+                        "Reflections to try, separated by commas [all of them]");
+    command
+        ->add_option("--most-spp", options->most_samples,
+                     "Most samples per pixel; powers of two up to it are tried")
+        ->check(CLI::Range(1u, 1u << 24))
+        ->capture_default_str();
+    command
+        ->add_option("--reference-spp", options->reference_samples,
+                     "Samples per pixel of the reference, made even; its noise bounds the errors that can be "
+                     "told")
+        ->check(CLI::Range(2u, 1u << 24))
+        ->capture_default_str();
+    add_choice_options(*command, options->choice);
+    add_picture_options(*command, options->picture);
+    add_common_options(*command, options->common);
+    command->footer(
+        "Maps of a quarter, once and twice --map-size are tried, and polygons as modelled and finer, unless "
+        "--polygon-edge or --polygon-error sets theirs.");
+    command->callback([=, &action] {
+        action = [=] { return trade(*options, given_picture_options(*command), command_line); };
+    });
+}
+
+}  // namespace utsuri
