@@ -150,7 +150,7 @@ nlohmann::ordered_json choose(RenderOptions& options, const std::vector<std::str
                               const RenderInput& input, ProgressLine& progress) {
     const LightMethod light = parse_light(options.light);
     const ComparisonSettings settings = trade_settings(options.picture, all_methods(light), light);
-    const Trade trade = kept_or_measured(input, settings, given, progress);
+    const Trade trade = kept_or_measured(input, settings, given, options.common, progress);
     const TradePoint point = choose_run(trade, options.choice);
     apply_run(trade.runs[point.run], options);
     progress.clear();

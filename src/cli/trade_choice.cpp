@@ -153,10 +153,16 @@ void keep_for_later(const RenderInput& input, const ComparisonSettings& settings
 }
 
 Trade kept_or_measured(const RenderInput& input, const ComparisonSettings& settings,
-                       const std::vector<std::string>& options, Progress& progress) {
+                       const std::vector<std::string>& options, const CommonOptions& common,
+                       Progress& progress) {
     if (const auto folder = cache_folder()) {
         const nlohmann::ordered_json key = trade_key(input, settings, options);
         if (auto kept = read_kept_trade(trade_file(*folder, key), key)) return std::move(*kept);
+    }
+    if (!common.quiet) {
+        fmt::print(stderr,
+                   "note: no trade is kept for this scene, camera, size and device: measuring it, "
+                   "which takes minutes\n");
     }
     Trade trade = run_trade(input, settings, progress);
     if (trade.interrupted) throw Interrupted();

@@ -49,9 +49,10 @@ nlohmann::ordered_json choice_to_json(const Trade& trade, const TradePoint& poin
 void keep_for_later(const RenderInput& input, const ComparisonSettings& settings,
                     const std::vector<std::string>& options, const Trade& trade);
 
-/// A trade that was kept before, else measured now and kept.
+/// A trade that was kept before, else measured now and kept, which standard error says.
 /// @throws Interrupted if progress says so
 Trade kept_or_measured(const RenderInput& input, const ComparisonSettings& settings,
-                       const std::vector<std::string>& options, Progress& progress);
+                       const std::vector<std::string>& options, const CommonOptions& common,
+                       Progress& progress);
 
 }  // namespace utsuri

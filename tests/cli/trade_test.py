@@ -141,7 +141,9 @@ class Choice(Trade):
         self.assertRegex(done.stderr, r"MSE at most .*: the least found is .*; allow at least that")
 
     def test_settings_that_cannot_be_are_told(self):
-        self.trade("--methods", "sphere-map", "--map-size", "4096", "--most-spp", "1", "--reference-spp", "2")
+        self.succeed("trade", self.scene("office"), "-o", "out", "--size", "32x24", "--methods", "sphere-map",
+                     "--map-size", "4096", "--map-spp", "1", "--light-spp", "1", "--most-spp", "1",
+                     "--reference-spp", "2", environment=self.environment)
         values = self.load("out/trade.json")
         tried = {run["settings"]["map_size"] for run in values["runs"]}
         failed = {int(failure["options"][-1]) for failure in values["failed"]}
@@ -170,6 +172,7 @@ class RenderByChoice(Trade):
         text = kept.read_text(encoding="utf-8")
         for wish in (("--within", "10min"), ("--error", "1e6", "--metric", "flip")):
             done = self.render(*wish, "--json", "result.json")
+            self.assertNotIn("measuring", done.stderr)
             self.assertRegex(done.stdout, r"chosen: direct/\S+ .*--spp \d+, expected \S+ \S+, frame ")
             values = self.load("result.json")
             choice = values["choice"]
@@ -183,7 +186,7 @@ class RenderByChoice(Trade):
         self.assertEqual(kept.read_text(encoding="utf-8"), text)
         # What is of no use is measured again.
         kept.write_text(text[:1000], encoding="utf-8")
-        self.render("--error", "1e6")
+        self.assertIn("measuring", self.render("--error", "1e6").stderr)
         again = json.loads(kept.read_text(encoding="utf-8"))
         self.assertEqual(again["key"], json.loads(text)["key"])
         self.assertEqual(len(again["trade"]["runs"]), len(runs))
