@@ -137,7 +137,7 @@ void add_trade_command(CLI::App& app, const std::string& command_line, Action& a
     add_picture_options(*command, options->picture);
     add_common_options(*command, options->common);
     command->footer(
-        "Maps of a quarter, once and twice --map-size are tried, and polygons as modelled and finer, unless "
+        "Maps of a quarter, half and all of --map-size are tried, and polygons as modelled and finer, unless "
         "--polygon-edge or --polygon-error sets theirs.");
     command->callback([=, &action] {
         action = [=] { return trade(*options, given_picture_options(*command), command_line); };

@@ -11,10 +11,9 @@ namespace utsuri {
 namespace {
 
 /// Sizes of maps tried, as shares of the size asked for.
-constexpr std::array kMapScales = {0.25, 1.0, 2.0};
+constexpr std::array kMapScales = {0.25, 0.5, 1.0};
 /// Interpolation errors of polygons tried, in degrees: a texel of a map of 256 is a third of a degree.
 constexpr std::array kPolygonErrors = {4.0, 1.0};
-constexpr std::uint32_t kLargestMap = 4096;
 
 TradeSetting with_map_size(TradeSetting setting, std::uint32_t size) {
     setting.maps.size = size;
@@ -33,7 +32,7 @@ std::vector<std::uint32_t> map_sizes(std::uint32_t given) {
     std::vector<std::uint32_t> sizes;
     for (const double scale : kMapScales) {
         const auto size = static_cast<std::uint32_t>(scale * given);
-        sizes.push_back(std::clamp(size, 1u, kLargestMap));
+        sizes.push_back(std::max(size, 1u));
     }
     sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
     return sizes;

@@ -8,8 +8,8 @@
 
 namespace utsuri {
 
-/// The settings that each of the methods is tried with, around those that are given: maps smaller and larger
-/// than asked for, polygons finer than modelled unless their size is given.
+/// The settings that each of the methods is tried with, around those that are given: maps as large as
+/// asked for and smaller, polygons finer than modelled unless their size is given.
 std::vector<TradeSetting> swept_settings(const std::vector<Method>& methods, const MapSettings& given);
 
 /// The samples per pixel at which a picture is looked at: powers of two, and `most`.

@@ -115,9 +115,9 @@ class BadOptions(CliCase):
         for methods in ("magic", "trace,magic", "direct/magic"):
             self.refuse(("magic'", "trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, hybrid"),
                         "compare", "scene.glb", "--methods", methods)
+            self.refuse(("magic'",), "trade", "scene.glb", "--methods", methods)
         self.refuse(("'smell'", "depth, position, normal"),
                     "render", "scene.glb", "-o", "picture.exr", "--aov", "depth,smell")
-            self.refuse(("magic'",), "trade", "scene.glb", "--methods", methods)
         self.refuse(("--metric", "psnr", "rel_mse"), "trade", "scene.glb", "--metric", "psnr")
         self.refuse(("--metric", "psnr", "rel_mse"), "diff", "a.png", "b.png", "--metric", "psnr")
 

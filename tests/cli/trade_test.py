@@ -141,15 +141,17 @@ class Choice(Trade):
         self.assertRegex(done.stderr, r"MSE at most .*: the least found is .*; allow at least that")
 
     def test_settings_that_cannot_be_are_told(self):
-        self.succeed("trade", self.scene("office"), "-o", "out", "--size", "32x24", "--methods", "sphere-map",
-                     "--map-size", "4096", "--map-spp", "1", "--light-spp", "1", "--most-spp", "1",
-                     "--reference-spp", "2", environment=self.environment)
-        values = self.load("out/trade.json")
-        tried = {run["settings"]["map_size"] for run in values["runs"]}
-        failed = {int(failure["options"][-1]) for failure in values["failed"]}
-        self.assertEqual(tried | failed, {1024, 4096})
-        for failure in values["failed"]:  # none where a device has room for them
-            self.assertIn("at most", failure["message"])
+        too_fine = ("--polygon-edge", "1e-6", "--json", "result.json")
+        done = self.trade("--methods", "trace,polygon-map", *too_fine)
+        values = self.load("result.json")
+        self.assertEqual({run["name"] for run in values["runs"]}, {"direct/trace"})
+        sizes = [failure["options"][-1] for failure in values["failed"]]
+        self.assertEqual(sizes, ["2", "4", "8"])
+        for failure in values["failed"]:
+            self.assertIn("use a larger --polygon-edge", failure["message"])
+            self.assertIn(f"{' '.join(failure['options'])} is missing: {failure['message']}", done.stdout)
+        self.trade("--methods", "polygon-map", *too_fine, code=USAGE)
+        self.assertEqual(self.load("result.json")["runs"], [])
 
 
 class RenderByChoice(Trade):

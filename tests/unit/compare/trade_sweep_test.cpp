@@ -30,7 +30,7 @@ TEST(Sweep, TracingHasNothingToSet) {
     EXPECT_THAT(settings[0].options, ElementsAre("--reflection", "trace"));
 }
 
-TEST(Sweep, MapsAreTriedAroundTheSizeAskedFor) {
+TEST(Sweep, MapsAreTriedUpToTheSizeAskedFor) {
     MapSettings given;
     given.size = 100;
     given.samples = 3;
@@ -38,20 +38,19 @@ TEST(Sweep, MapsAreTriedAroundTheSizeAskedFor) {
     ASSERT_EQ(settings.size(), 3u);
     EXPECT_THAT(settings[0].options, ElementsAre("--reflection", "cube-map", "--map-size", "25"));
     EXPECT_EQ(settings[0].maps.size, 25u);
-    EXPECT_EQ(settings[1].maps.size, 100u);
-    EXPECT_EQ(settings[2].maps.size, 200u);
+    EXPECT_EQ(settings[1].maps.size, 50u);
+    EXPECT_EQ(settings[2].maps.size, 100u);
     EXPECT_EQ(settings[2].maps.samples, 3u);
 }
 
-TEST(Sweep, SizesOutsideWhatThereIsAreNotTried) {
+TEST(Sweep, NoSizeIsTriedTwiceAndNoneIsNothing) {
     MapSettings given;
     given.size = 1;
     const auto smallest = settings_of(ReflectionMethod::cube_map, given);
-    ASSERT_EQ(smallest.size(), 2u);
+    ASSERT_EQ(smallest.size(), 1u);
     EXPECT_EQ(smallest[0].maps.size, 1u);
-    EXPECT_EQ(smallest[1].maps.size, 2u);
-    given.size = 4096;
-    EXPECT_EQ(settings_of(ReflectionMethod::cube_map, given).back().maps.size, 4096u);
+    given.size = 2;
+    EXPECT_EQ(settings_of(ReflectionMethod::cube_map, given).size(), 2u);
 }
 
 TEST(Sweep, PolygonsAreTriedUnlessTheirSizeIsGiven) {
