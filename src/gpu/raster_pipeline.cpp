@@ -22,7 +22,8 @@ std::vector<std::span<const std::uint32_t>> modules(std::span<const std::uint32_
 vk::raii::Pipeline create_pipeline(const Device& device, const PipelineInterface& interface,
                                    std::span<const std::uint32_t> vertex,
                                    std::span<const std::uint32_t> fragment,
-                                   const Specialization& specialization, const DepthState& depth_state) {
+                                   const Specialization& specialization, const DepthState& depth_state,
+                                   const ColourState& colour_state) {
     const ShaderStage vertex_stage(device, vk::ShaderStageFlagBits::eVertex, vertex, specialization);
     std::vector stages = {vertex_stage.info()};
     std::optional<ShaderStage> fragment_stage;
@@ -44,11 +45,14 @@ vk::raii::Pipeline create_pipeline(const Device& device, const PipelineInterface
         {}, VK_TRUE, nearer ? VK_TRUE : VK_FALSE, nearer ? vk::CompareOp::eGreater : vk::CompareOp::eEqual);
     using Channel = vk::ColorComponentFlagBits;
     vk::PipelineColorBlendAttachmentState overwrite;
-    if (fragment_stage) overwrite.colorWriteMask = Channel::eR | Channel::eG | Channel::eB | Channel::eA;
-    const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eClear, overwrite);
+    if (fragment_stage && colour_state.written)
+        overwrite.colorWriteMask = Channel::eR | Channel::eG | Channel::eB | Channel::eA;
+    const std::vector blending(colour_state.attachments, overwrite);
+    const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eClear, blending);
     const std::array dynamic = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic_state({}, dynamic);
-    const vk::PipelineRenderingCreateInfo formats(0, kColourFormat, kDepthFormat);
+    const std::vector colour_formats(colour_state.attachments, kColourFormat);
+    const vk::PipelineRenderingCreateInfo formats(0, colour_formats, kDepthFormat);
     vk::GraphicsPipelineCreateInfo info({}, stages, &pulled, &assembly, nullptr, &viewport, &rasterization,
                                         &single_sample, &depth, &blend, &dynamic_state, interface.layout());
     info.pNext = &formats;
@@ -74,6 +78,26 @@ vk::ImageMemoryBarrier2 discarded_before(const Attachment& attachment) {
             {attachment.aspect(), 0, 1, 0, 1}};
 }
 
+vk::ImageMemoryBarrier2 kept_from_before(const Attachment& attachment) {
+    return {vk::PipelineStageFlagBits2::eAllCommands,
+            vk::AccessFlagBits2::eMemoryWrite,
+            vk::PipelineStageFlagBits2::eColorAttachmentOutput,
+            vk::AccessFlagBits2::eColorAttachmentRead | vk::AccessFlagBits2::eColorAttachmentWrite,
+            vk::ImageLayout::eAttachmentOptimal,
+            vk::ImageLayout::eAttachmentOptimal,
+            VK_QUEUE_FAMILY_IGNORED,
+            VK_QUEUE_FAMILY_IGNORED,
+            attachment.image(),
+            {attachment.aspect(), 0, 1, 0, 1}};
+}
+
+vk::RenderingAttachmentInfo kept(const Attachment& attachment) {
+    vk::RenderingAttachmentInfo info(attachment.view(), vk::ImageLayout::eAttachmentOptimal);
+    info.loadOp = vk::AttachmentLoadOp::eLoad;
+    info.storeOp = vk::AttachmentStoreOp::eStore;
+    return info;
+}
+
 vk::RenderingAttachmentInfo cleared(const Attachment& attachment, const vk::ClearValue& value) {
     vk::RenderingAttachmentInfo info(attachment.view(), vk::ImageLayout::eAttachmentOptimal);
     info.loadOp = vk::AttachmentLoadOp::eClear;
@@ -86,10 +110,10 @@ vk::RenderingAttachmentInfo cleared(const Attachment& attachment, const vk::Clea
 
 RasterPipeline::RasterPipeline(Device& device, const std::string& name, std::span<const std::uint32_t> vertex,
                                std::span<const std::uint32_t> fragment, const Specialization& specialization,
-                               std::uint32_t push_bytes, const DepthState& depth)
+                               std::uint32_t push_bytes, const DepthState& depth, const ColourState& colour)
     : interface_(device, name, modules(vertex, fragment), kStages, push_bytes),
       pipeline_(vulkan_call("create pipeline", name, [&] {
-          return create_pipeline(device, interface_, vertex, fragment, specialization, depth);
+          return create_pipeline(device, interface_, vertex, fragment, specialization, depth, colour);
       })) {}
 
 RasterPipeline::RasterPipeline(RasterPipeline&& other) noexcept = default;
@@ -113,22 +137,40 @@ void RasterPipeline::draw_indirect_bytes(const vk::raii::CommandBuffer& commands
     commands.drawIndirect(arguments.handle(), index * sizeof(vk::DrawIndirectCommand), 1, 0);
 }
 
-void draw_into(const vk::raii::CommandBuffer& commands, const Attachment& colour, const Attachment& depth,
-               const std::array<float, 4>& background, const std::function<void()>& record) {
+void draw_into(const vk::raii::CommandBuffer& commands, std::span<const ColourTarget> colours,
+               const Attachment& depth, const std::function<void()>& record) {
     const vk::MemoryBarrier2 after_previous(
         vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite,
         vk::PipelineStageFlagBits2::eAllGraphics, vk::AccessFlagBits2::eMemoryRead);
-    const std::array images = {discarded_before(colour), discarded_before(depth)};
+    std::vector images = {discarded_before(depth)};
+    std::vector<vk::RenderingAttachmentInfo> infos;
+    for (const ColourTarget& colour : colours) {
+        const Attachment& attachment = colour.attachment;
+        images.push_back(colour.background ? discarded_before(attachment) : kept_from_before(attachment));
+        infos.push_back(colour.background ? cleared(attachment, vk::ClearColorValue(*colour.background))
+                                          : kept(attachment));
+    }
     commands.pipelineBarrier2(vk::DependencyInfo({}, after_previous, {}, images));
-    const vk::RenderingAttachmentInfo colour_info = cleared(colour, vk::ClearColorValue(background));
     const vk::RenderingAttachmentInfo depth_info = cleared(depth, vk::ClearDepthStencilValue(0.0f, 0));
-    const vk::Rect2D area({0, 0}, {colour.width(), colour.height()});
-    commands.beginRendering(vk::RenderingInfo({}, area, 1, 0, colour_info, &depth_info));
-    commands.setViewport(0, vk::Viewport(0.0f, 0.0f, static_cast<float>(colour.width()),
-                                         static_cast<float>(colour.height()), 0.0f, 1.0f));
-    commands.setScissor(0, area);
+    commands.beginRendering(
+        vk::RenderingInfo({}, {{0, 0}, {depth.width(), depth.height()}}, 1, 0, infos, &depth_info));
+    commands.setViewport(0, vk::Viewport(0.0f, 0.0f, static_cast<float>(depth.width()),
+                                         static_cast<float>(depth.height()), 0.0f, 1.0f));
+    limit_to(commands, {0, 0, depth.width(), depth.height()});
     record();
     commands.endRendering();
+}
+
+void limit_to(const vk::raii::CommandBuffer& commands, const PixelRect& rectangle) {
+    commands.setScissor(
+        0, vk::Rect2D({static_cast<std::int32_t>(rectangle.x), static_cast<std::int32_t>(rectangle.y)},
+                      {rectangle.width, rectangle.height}));
+}
+
+void draw_into(const vk::raii::CommandBuffer& commands, const Attachment& colour, const Attachment& depth,
+               const std::array<float, 4>& background, const std::function<void()>& record) {
+    const ColourTarget target{colour, background};
+    draw_into(commands, std::span(&target, 1), depth, record);
 }
 
 }  // namespace utsuri

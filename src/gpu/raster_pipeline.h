@@ -6,6 +6,8 @@
 
 #include <array>
 #include <functional>
+#include <optional>
+#include <span>
 
 namespace utsuri {
 
@@ -22,6 +24,12 @@ struct DepthState {
     float behind = 0.0f;
 };
 
+/// What fragments do to the colours of a picture.
+struct ColourState {
+    std::uint32_t attachments = 1;  ///< that are drawn into together
+    bool written = true;            ///< false where the fragment stage only tells which fragments count
+};
+
 /// A graphics pipeline made from embedded SPIR-V: triangles whose vertices the vertex stage pulls from
 /// storage buffers, drawn on both sides. Move-only.
 class RasterPipeline {
@@ -30,7 +38,7 @@ class RasterPipeline {
     /// @param push_bytes size of the push constant block that both stages see, at most 128
     RasterPipeline(Device& device, const std::string& name, std::span<const std::uint32_t> vertex,
                    std::span<const std::uint32_t> fragment, const Specialization& specialization,
-                   std::uint32_t push_bytes, const DepthState& depth = {});
+                   std::uint32_t push_bytes, const DepthState& depth = {}, const ColourState& colour = {});
     RasterPipeline(RasterPipeline&& other) noexcept;
     RasterPipeline& operator=(RasterPipeline&& other) noexcept;
     ~RasterPipeline();
@@ -63,6 +71,31 @@ class RasterPipeline {
     PipelineInterface interface_;
     vk::raii::Pipeline pipeline_;
 };
+
+/// A colour attachment that is drawn into.
+struct ColourTarget {
+    const Attachment& attachment;
+    std::optional<std::array<float, 4>> background;  ///< what it is cleared to; else it keeps what it holds
+};
+
+/// Records draws into attachments of one size, ordered after everything recorded or run before. Depth is
+/// cleared.
+/// @param record records the draws
+void draw_into(const vk::raii::CommandBuffer& commands, std::span<const ColourTarget> colours,
+               const Attachment& depth, const std::function<void()>& record);
+
+/// A rectangle of pixels, from the top left corner of a picture.
+struct PixelRect {
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+
+    friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
+/// Records that the draws that follow, inside draw_into(), touch no pixel outside a rectangle.
+void limit_to(const vk::raii::CommandBuffer& commands, const PixelRect& rectangle);
 
 /// Records draws into a cleared pair of attachments of one size, ordered after everything recorded or run
 /// before.

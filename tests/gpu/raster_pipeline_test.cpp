@@ -121,6 +121,47 @@ TEST_F(RasterOnDevice, ShadesOnlyWhatADepthPassLeft) {
         EXPECT_EQ(pixel.x, kBackground[0]);
 }
 
+// A second drawing over the first: depth starts anew, colours stay where nothing is drawn or allowed to be.
+TEST_F(RasterOnDevice, DrawsOverWhatIsThereWithinARectangle) {
+    const std::vector<glm::vec4> corners = whole_picture(0.5f);
+    const RasterPipeline pipeline(device(), "raster_probe", kernels::raster_probe_vert,
+                                  kernels::raster_probe_frag, {}, sizeof(float));
+    const RasterPipeline silent(device(), "raster_probe, no colour", kernels::raster_probe_vert,
+                                kernels::raster_probe_frag, {}, sizeof(float), {}, {1, false});
+    const Buffer buffer = make_buffer<glm::vec4>(device(), corners, "corners");
+    const BindingSet set = pipeline.bind({{0, &buffer}});
+    const BindingSet silent_set = silent.bind({{0, &buffer}});
+    const Attachment colour(device(), kWidth, kHeight, kColourFormat, "colour");
+    const Attachment depth(device(), kWidth, kHeight, kDepthFormat, "depth");
+    const Buffer pixels(device(), kWidth * kHeight * sizeof(glm::vec4), "pixels");
+    const PixelRect rectangle{3, 5, 20, 7};
+    device().run("draw", [&](const vk::raii::CommandBuffer& commands) {
+        draw_into(commands, colour, depth, kBackground, [&] {
+            limit_to(commands, {0, 0, kWidth, 10});
+            pipeline.draw(commands, set, 0.0f, 0, 1);
+        });
+        const ColourTarget kept{colour, std::nullopt};
+        draw_into(commands, std::span(&kept, 1), depth, [&] {
+            limit_to(commands, rectangle);
+            pipeline.draw(commands, set, 0.0f, 1, 1);
+            limit_to(commands, {0, 0, kWidth, kHeight});
+            silent.draw(commands, silent_set, 0.0f, 0, 2);
+        });
+        colour.copy_rows(commands, 0, kHeight, pixels);
+    });
+    const std::vector<glm::vec4> drawn = pixels.download_records<glm::vec4>(kWidth * kHeight);
+    // Which of the two triangles a pixel lies in, from a picture of both.
+    const std::vector<glm::vec4> both = draw(corners);
+    for (std::uint32_t y = 0; y < kHeight; ++y) {
+        for (std::uint32_t x = 0; x < kWidth; ++x) {
+            const bool inside = x >= 3 && x < 23 && y >= 5 && y < 12;
+            const float triangle = both[y * kWidth + x].x;
+            const bool shows = triangle == 1.0f ? y < 10 : inside;
+            EXPECT_EQ(drawn[y * kWidth + x].x, shows ? triangle : kBackground[0]) << x << ' ' << y;
+        }
+    }
+}
+
 TEST_F(RasterOnDevice, DrawsBothSides) {
     std::vector<glm::vec4> turned = whole_picture(0.5f);
     std::swap(turned[1], turned[2]);
