@@ -6,6 +6,7 @@
 #include "renderers/common/gpu_scene.h"
 #include "renderers/common/scene_data.h"
 #include "renderers/reflection_map/draw_list.h"
+#include "renderers/reflection_map/drawn_samples.h"
 #include "renderers/reflection_map/reflector_drawer.h"
 
 #include "base/progress.h"
@@ -25,12 +26,7 @@ struct DrawSettings {
     float tolerance = 0.0f;  ///< see MapSettings
 };
 
-/// Distance of the near plane for a scene.
-float near_plane(const SceneData& data);
-
-/// Draws one view of a scene with the raster pipeline and adds the pictures to a film, a sample of each pixel
-/// a time. Samples of one picture lie at one place in their pixels, which a Sobol sequence moves from picture
-/// to picture.
+/// Draws one view of a scene with the raster pipeline and adds the pictures to a film: see DrawnSamples.
 class FrameDrawer {
   public:
     /// @param bindings of scene, light cache and maps
@@ -61,7 +57,6 @@ class FrameDrawer {
     [[nodiscard]] Bindings with_draw_list(Bindings bindings) const;
     std::vector<Batch> make_batches(const std::vector<DrawBatch>& planned,
                                     const Specialization& specialization, const Bindings& bindings);
-    double draw(const interop::RasterPush& push, const Film& film, const std::vector<BindingSet>& sets);
 
     Device& device_;
     const ReflectorDrawer* reflectors_;
@@ -69,14 +64,12 @@ class FrameDrawer {
     std::array<float, 4> background_;
     Attachment colour_;
     Attachment depth_;
-    Buffer drawn_;
-    Buffer counters_;
+    DrawnSamples samples_;
     Buffer triangles_;
     std::uint32_t triangle_count_;
     RasterPipeline depth_pass_;
     BindingSet depth_bindings_;
     std::vector<Batch> batches_;
-    Kernel add_kernel_;
 };
 
 }  // namespace utsuri

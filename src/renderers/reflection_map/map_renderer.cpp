@@ -2,6 +2,7 @@
 #include "renderers/reflection_map/map_renderer.h"
 
 #include "renderers/common/frame_camera.h"
+#include "renderers/reflection_map/map_preparation.h"
 
 #include "base/check.h"
 
@@ -74,27 +75,13 @@ interop::CameraInfo MapRenderer::camera_info() const {
 }
 
 void MapRenderer::prepare(Progress& progress) {
-    auto start = std::chrono::steady_clock::now();
+    const auto start = std::chrono::steady_clock::now();
     drawer_.warm_up();
     reflect();
     statistics_.compile_seconds += seconds_since(start);
 
-    light_cache_.fill(scene_, settings_.seed, filled_light_, progress);
-    // Light that another renderer filled counts as if it had been filled here.
-    statistics_.prepare_seconds += filled_light_.seconds;
-    statistics_.compile_seconds += filled_light_.compile_seconds;
-    accumulate(statistics_.prepare_counts, filled_light_.counts);
-
-    start = std::chrono::steady_clock::now();
-    double capture_compile_seconds = 0.0;
-    accumulate(statistics_.prepare_counts,
-               maps_.capture(scene_, light_cache_, camera_, settings_, capture_compile_seconds, progress));
-    if (distances_) {
-        accumulate(statistics_.prepare_counts,
-                   distances_->capture(scene_, capture_compile_seconds, progress));
-    }
-    statistics_.prepare_seconds += seconds_since(start) - capture_compile_seconds;
-    statistics_.compile_seconds += capture_compile_seconds;
+    prepare_light_and_maps(scene_, filled_light_, light_cache_, maps_, distances_ ? &*distances_ : nullptr,
+                           camera_, settings_, statistics_, progress);
 }
 
 void MapRenderer::look_from(const Camera& camera) {

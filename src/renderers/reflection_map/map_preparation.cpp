@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection_map/map_preparation.h"
+
+#include <chrono>
+
+namespace utsuri {
+
+void prepare_light_and_maps(const GpuScene& scene, FilledLight& filled, LightCache& light,
+                            ReflectionMaps& maps, DistanceMaps* distances, const Camera& eye,
+                            const RenderSettings& settings, RenderStatistics& statistics,
+                            Progress& progress) {
+    light.fill(scene, settings.seed, filled, progress);
+    statistics.prepare_seconds += filled.seconds;
+    statistics.compile_seconds += filled.compile_seconds;
+    accumulate(statistics.prepare_counts, filled.counts);
+
+    const auto start = std::chrono::steady_clock::now();
+    double capture_compile_seconds = 0.0;
+    accumulate(statistics.prepare_counts,
+               maps.capture(scene, light, eye, settings, capture_compile_seconds, progress));
+    if (distances) {
+        accumulate(statistics.prepare_counts, distances->capture(scene, capture_compile_seconds, progress));
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    statistics.prepare_seconds += seconds - capture_compile_seconds;
+    statistics.compile_seconds += capture_compile_seconds;
+}
+
+}  // namespace utsuri

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/common/light_cache.h"
+#include "renderers/reflection_map/distance_maps.h"
+#include "renderers/reflection_map/reflection_maps.h"
+
+namespace utsuri {
+
+/// Fills a light cache, captures maps lit from it, and adds what that took to the statistics.
+/// @param filled is filled by the first renderer that needs it; its cost counts as if it had been filled here
+/// @param distances captured too, if not null
+/// @param eye whose axes orient sphere maps
+void prepare_light_and_maps(const GpuScene& scene, FilledLight& filled, LightCache& light,
+                            ReflectionMaps& maps, DistanceMaps* distances, const Camera& eye,
+                            const RenderSettings& settings, RenderStatistics& statistics, Progress& progress);
+
+}  // namespace utsuri
