@@ -42,6 +42,8 @@ INTEROP_CONSTANT BINDING_DRAW_ARGUMENTS = 32u;  ///< of whole pieces, of cut pie
 INTEROP_CONSTANT BINDING_DISTANCE_MAPS = 33u;   ///< DistanceMapInfo of each reflector
 INTEROP_CONSTANT BINDING_DISTANCE_SAMPLES = 34u;
 INTEROP_CONSTANT BINDING_DISTANCE_BOUNDS = 35u;
+INTEROP_CONSTANT BINDING_LISTED_REFLECTORS = 36u;  ///< of the triangles of the draw list that are curved
+INTEROP_CONSTANT BINDING_THROUGHPUT = 37u;  ///< of the mirrors that a pixel shows so far, a vec4 a pixel
 
 INTEROP_END
 #endif

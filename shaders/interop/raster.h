@@ -22,6 +22,22 @@ struct RasterPush {
 INTEROP_FLOAT_CONSTANT DRAWN_PLAIN = 0.0f;      ///< there is none
 INTEROP_FLOAT_CONSTANT DRAWN_LOOKED_UP = 1.0f;  ///< in a map
 
+/// Number of the image that the eye sees directly; those in mirrors follow. Below zero the fourth channel
+/// tells of images in plane mirrors: see lib/image_state.glsl.
+INTEROP_CONSTANT IMAGE_OF_EYE = 1024u;
+/// Instead of an image: a mirror whose image is not drawn.
+INTEROP_CONSTANT IMAGE_TRUNCATED = 0u;
+
+/// One image of the scene: as seen from the eye, or from an eye mirrored in one mirror after the other.
+struct ImageInfo {
+    vec3 normal;  ///< only what is at dot(normal, x) > offset shows in the last mirror
+    float offset;
+    uint number;       ///< of this image: only pixels that wait for it are drawn
+    uint reflections;  ///< mirrors that it is seen in
+    uint next;         ///< image in the mirror that is drawn, or IMAGE_TRUNCATED
+    uint width;        ///< of the picture
+};
+
 struct AddDrawnPush {
     uint pixels;
     uint sample_index;

@@ -6,6 +6,7 @@
 #include "interop/bindings.h"
 #include "interop/raster.h"
 #include "lib/film.glsl"
+#include "lib/image_state.glsl"
 #include "lib/numeric.glsl"
 
 layout(local_size_x = 64) in;
@@ -26,6 +27,9 @@ void main() {
         atomicAdd(counters.traced, 1u);
         atomicAdd(counters.rays, uint(rays));
     }
+    uint reflections = reflections_of(drawn[pixel].a);
+    if (reflections > 0u) atomicAdd(counters.lookups, reflections);
+    if (is_truncated(drawn[pixel].a)) atomicAdd(counters.truncated, 1u);
     if (!is_finite(radiance)) {
         atomicAdd(counters.nonfinite, 1u);
         return;

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/scene_bindings.glsl"
 #include "interop/frame.h"
+#include "kernels/view_push.glsl"
 #include "kernels/drawn_light.glsl"
 #include "kernels/map_lookup.glsl"
 #include "kernels/search_bindings.glsl"

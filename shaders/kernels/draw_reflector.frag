@@ -3,6 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/scene_bindings.glsl"
+#include "kernels/view_push.glsl"
 #include "kernels/drawn_light.glsl"
 #include "kernels/map_lookup.glsl"
 

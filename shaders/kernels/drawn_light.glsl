@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The surface that a fragment shows and the light it sends out, its mirror image excepted: diffuse light from the cache;
-// rough lobes are lit by a sample of the lights.
+// rough lobes are lit by a sample of the lights. The including kernel declares the push constants, with a RasterPush push.
 #include "kernels/light_cache_bindings.glsl"
 #include "kernels/drawn_surface.glsl"
 #include "interop/raster.h"
 #include "lib/direct_light.glsl"
 
 layout(early_fragment_tests) in;
-
-layout(push_constant, scalar) uniform Push { RasterPush push; };
 
 layout(location = 0) out vec4 drawn;
 

@@ -6,14 +6,22 @@
 #include "kernels/bound_distances.h"
 #include "kernels/cut_polygons.h"
 #include "kernels/draw_curved_reflectors_vert.h"
+#include "kernels/draw_curved_vert.h"
 #include "kernels/draw_cut_pieces_vert.h"
 #include "kernels/draw_depth_vert.h"
 #include "kernels/draw_distance_reflector_frag.h"
 #include "kernels/draw_hybrid_reflector_frag.h"
+#include "kernels/draw_image_curved_frag.h"
+#include "kernels/draw_image_depth_frag.h"
+#include "kernels/draw_image_depth_vert.h"
+#include "kernels/draw_image_mirror_frag.h"
+#include "kernels/draw_image_scene_frag.h"
+#include "kernels/draw_image_surroundings_frag.h"
 #include "kernels/draw_reflector_frag.h"
 #include "kernels/draw_reflectors_vert.h"
 #include "kernels/draw_scene_frag.h"
 #include "kernels/draw_scene_vert.h"
+#include "kernels/draw_surroundings_vert.h"
 #include "kernels/draw_whole_pieces_vert.h"
 #include "kernels/fill_light_cache.h"
 #include "kernels/measure_distances.h"
@@ -36,14 +44,22 @@ std::vector<ProductKernel> product_kernels() {
             {"bound_distances", kernels::bound_distances},
             {"cut_polygons", kernels::cut_polygons},
             {"draw_curved_reflectors_vert", kernels::draw_curved_reflectors_vert},
+            {"draw_curved_vert", kernels::draw_curved_vert},
             {"draw_cut_pieces_vert", kernels::draw_cut_pieces_vert},
             {"draw_depth_vert", kernels::draw_depth_vert},
             {"draw_distance_reflector_frag", kernels::draw_distance_reflector_frag},
             {"draw_hybrid_reflector_frag", kernels::draw_hybrid_reflector_frag},
+            {"draw_image_curved_frag", kernels::draw_image_curved_frag},
+            {"draw_image_depth_frag", kernels::draw_image_depth_frag},
+            {"draw_image_depth_vert", kernels::draw_image_depth_vert},
+            {"draw_image_mirror_frag", kernels::draw_image_mirror_frag},
+            {"draw_image_scene_frag", kernels::draw_image_scene_frag},
+            {"draw_image_surroundings_frag", kernels::draw_image_surroundings_frag},
             {"draw_reflector_frag", kernels::draw_reflector_frag},
             {"draw_reflectors_vert", kernels::draw_reflectors_vert},
             {"draw_scene_frag", kernels::draw_scene_frag},
             {"draw_scene_vert", kernels::draw_scene_vert},
+            {"draw_surroundings_vert", kernels::draw_surroundings_vert},
             {"draw_whole_pieces_vert", kernels::draw_whole_pieces_vert},
             {"fill_light_cache", kernels::fill_light_cache},
             {"measure_distances", kernels::measure_distances},

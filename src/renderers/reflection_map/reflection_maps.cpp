@@ -64,8 +64,9 @@ std::vector<interop::ReflectorInfo> place_reflectors(const SceneData& data, cons
     return infos;
 }
 
-Reflectors fine_reflectors(const SceneData& data, const PolygonRefinement& refinement) {
-    Reflectors reflectors = find_reflectors(data);
+Reflectors fine_reflectors(const SceneData& data, const std::vector<std::uint32_t>& instances,
+                           const PolygonRefinement& refinement) {
+    Reflectors reflectors = find_reflectors(data, instances);
     if (reflectors.triangles.size() > kMostReflectorPolygons) {
         throw UsageError(
             "draw reflective objects", fmt::format("of {} polygons", reflectors.triangles.size()),
@@ -87,10 +88,14 @@ std::vector<interop::MapFace> faces_of(MapKind kind, const Polyhedron& polyhedro
 
 ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind kind,
                                const MapSettings& settings)
+    : ReflectionMaps(device, data, kind, settings, data.requirements.reflective_instances) {}
+
+ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind kind,
+                               const MapSettings& settings, const std::vector<std::uint32_t>& instances)
     : device_(&device),
       kind_(kind),
       settings_(settings),
-      reflectors_(fine_reflectors(data, settings.refinement)),
+      reflectors_(fine_reflectors(data, instances, settings.refinement)),
       faces_(faces_of(kind, settings.polyhedron)),
       infos_(place_reflectors(data, reflectors_, kind, maps_per_reflector(), settings)),
       reflector_infos_(make_buffer<interop::ReflectorInfo>(device, infos_, "reflectors")),

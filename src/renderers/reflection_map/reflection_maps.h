@@ -39,6 +39,9 @@ class ReflectionMaps {
     /// @throws UsageError if the maps cannot fit into one buffer of the device, with the largest size that
     /// would
     ReflectionMaps(Device& device, const SceneData& data, MapKind kind, const MapSettings& settings);
+    /// @param instances that get maps, ascending
+    ReflectionMaps(Device& device, const SceneData& data, MapKind kind, const MapSettings& settings,
+                   const std::vector<std::uint32_t>& instances);
 
     /// Renders the maps.
     /// @param light filled

@@ -114,8 +114,12 @@ class Halving {
 }  // namespace
 
 Reflectors find_reflectors(const SceneData& scene) {
+    return find_reflectors(scene, scene.requirements.reflective_instances);
+}
+
+Reflectors find_reflectors(const SceneData& scene, const std::vector<std::uint32_t>& instances) {
     Reflectors result;
-    result.instances = scene.requirements.reflective_instances;
+    result.instances = instances;
     result.instance_reflectors.assign(scene.requirements.instances, interop::NONE);
     for (std::uint32_t i = 0; i < result.instances.size(); ++i)
         result.instance_reflectors[result.instances[i]] = i;

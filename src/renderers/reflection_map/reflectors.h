@@ -19,6 +19,9 @@ struct Reflectors {
     std::vector<interop::ReflectorTriangle> triangles;
 };
 
+/// @param instances that count as reflective, ascending
+Reflectors find_reflectors(const SceneData& scene, const std::vector<std::uint32_t>& instances);
+/// All reflective instances of a scene.
 Reflectors find_reflectors(const SceneData& scene);
 
 /// How fine the polygons of reflectors have to be.

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+// One triangle over the whole picture, infinitely far.
+#version 460
+
+void main() {
+    vec2 corner = vec2(gl_VertexIndex == 1, gl_VertexIndex == 2);
+    gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0);
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/reflection_map/drawn_samples.h"
+#include "renderers/reflection_map/image_drawer.h"
+
+namespace utsuri {
+
+/// Draws one view of a scene with what its plane mirrors show: the view itself, then the images of one
+/// reflection, of two, and so on. A pixel shows at most one image of each number of reflections.
+class PlanarDrawer {
+  public:
+    /// @param bindings of scene, light cache and maps
+    /// @param curved reflectors with maps
+    /// @param faces of the maps
+    /// @throws DeviceError if the device cannot draw pictures of this size
+    PlanarDrawer(Device& device, const SceneData& data, const PlaneMirrors& mirrors, const Reflectors& curved,
+                 const std::vector<interop::MapFace>& faces, const Specialization& specialization,
+                 const Bindings& bindings, std::uint32_t width, std::uint32_t height);
+
+    /// Makes the driver compile what add_samples() needs.
+    void warm_up();
+
+    /// @param images plan_mirror_images() for a picture of this size
+    FrameCounts add_samples(Film& film, const std::vector<MirrorImage>& images, std::uint32_t seed,
+                            std::uint32_t count, Progress& progress);
+
+    /// Distance of the near plane, scene space.
+    [[nodiscard]] float near_plane() const { return near_plane_; }
+
+  private:
+    [[nodiscard]] Bindings with_pictures(Bindings bindings) const;
+    void draw(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,
+              const interop::RasterPush& view) const;
+
+    Device& device_;
+    float near_plane_;
+    std::array<float, 4> background_;
+    Attachment colour_;
+    Attachment throughput_;
+    Attachment depth_;
+    Buffer drawn_before_;
+    Buffer throughput_before_;
+    DrawnSamples samples_;
+    ImageDrawer drawer_;
+};
+
+}  // namespace utsuri
