@@ -121,7 +121,8 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
     command
         .add_option(
             "--reflection", options.reflection,
-            "Reflections: trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map or hybrid")
+            "Reflections: trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, planar (plane "
+            "mirrors drawn, the rest as by proxy-map) or hybrid")
         ->capture_default_str();
     command
         .add_option("--spp", options.samples, "Samples per pixel, or the most with --time or --noise [16]")

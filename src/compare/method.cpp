@@ -3,6 +3,7 @@
 
 #include "renderers/ray_trace/ray_tracer.h"
 #include "renderers/reflection_map/map_renderer.h"
+#include "renderers/reflection_map/planar_renderer.h"
 
 #include "base/check.h"
 #include "base/error.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr std::array kReflections = {ReflectionMethod::trace,      ReflectionMethod::polygon_map,
                                      ReflectionMethod::sphere_map, ReflectionMethod::cube_map,
                                      ReflectionMethod::proxy_map,  ReflectionMethod::distance_map,
-                                     ReflectionMethod::hybrid};
+                                     ReflectionMethod::planar,     ReflectionMethod::hybrid};
 
 MapKind map_kind(ReflectionMethod reflection) {
     switch (reflection) {
@@ -34,9 +35,10 @@ MapKind map_kind(ReflectionMethod reflection) {
         case ReflectionMethod::hybrid:
             return MapKind::hybrid;
         case ReflectionMethod::trace:
+        case ReflectionMethod::planar:
             break;
     }
-    fail_check(__FILE__, __LINE__, "a reflection method without maps");
+    fail_check(__FILE__, __LINE__, "a reflection method without maps of its own");
 }
 
 }  // namespace
@@ -59,6 +61,8 @@ std::string_view to_string(ReflectionMethod reflection) {
             return "proxy-map";
         case ReflectionMethod::distance_map:
             return "distance-map";
+        case ReflectionMethod::planar:
+            return "planar";
         case ReflectionMethod::hybrid:
             return "hybrid";
     }
@@ -78,8 +82,9 @@ ReflectionMethod parse_reflection(std::string_view name) {
     for (const ReflectionMethod reflection : kReflections) {
         if (name == to_string(reflection)) return reflection;
     }
-    throw UsageError("choose reflection", fmt::format("'{}'", name),
-                     "there are: trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, hybrid");
+    throw UsageError(
+        "choose reflection", fmt::format("'{}'", name),
+        "there are: trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, planar, hybrid");
 }
 
 std::vector<Method> all_methods(LightMethod light) {
@@ -98,6 +103,10 @@ std::unique_ptr<Renderer> make_renderer(const Method& method, const RenderInput&
                                         const RenderSettings& settings, const MapSettings& maps) {
     if (!uses_maps(method)) {
         return std::make_unique<RayTracer>(input.device, input.data, input.scene, input.camera, settings);
+    }
+    if (method.reflection == ReflectionMethod::planar) {
+        return std::make_unique<PlanarRenderer>(input.device, input.data, input.scene, input.light,
+                                                input.camera, settings, maps);
     }
     return std::make_unique<MapRenderer>(input.device, input.data, input.scene, input.light, input.camera,
                                          map_kind(method.reflection), settings, maps);

@@ -16,7 +16,16 @@ namespace utsuri {
 enum class LightMethod { direct };
 
 /// How the light arriving along a specular direction is found.
-enum class ReflectionMethod { trace, polygon_map, sphere_map, cube_map, proxy_map, distance_map, hybrid };
+enum class ReflectionMethod {
+    trace,
+    polygon_map,
+    sphere_map,
+    cube_map,
+    proxy_map,
+    distance_map,
+    planar,
+    hybrid
+};
 
 /// A point on the two axes, written "direct/polygon-map".
 struct Method {
@@ -37,7 +46,7 @@ ReflectionMethod parse_reflection(std::string_view name);
 /// Every method on a light axis, in the order of reports.
 std::vector<Method> all_methods(LightMethod light);
 
-/// Whether a method looks reflections up in maps.
+/// Whether a method looks reflections up in maps; `planar` does those of mirrors that are not plane.
 bool uses_maps(const Method& method);
 
 /// What a picture is made from. Everything must outlive the renderer.

@@ -110,10 +110,10 @@ class BadOptions(CliCase):
 
     def test_names(self):
         self.refuse_picture_option("--light", ("candle",), "'candle'", "direct")
-        self.refuse(("'magic'", "trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, hybrid"),
+        self.refuse(("'magic'", "trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, planar, hybrid"),
                     "render", "scene.glb", "-o", "picture.exr", "--reflection", "magic")
         for methods in ("magic", "trace,magic", "direct/magic"):
-            self.refuse(("magic'", "trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, hybrid"),
+            self.refuse(("magic'", "trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, planar, hybrid"),
                         "compare", "scene.glb", "--methods", methods)
             self.refuse(("magic'",), "trade", "scene.glb", "--methods", methods)
         self.refuse(("'smell'", "depth, position, normal"),

@@ -9,7 +9,7 @@ import picture_file
 from cli_case import DIFFERENCE, USAGE, CliCase, cheap_compare
 
 METHODS = ["direct/trace", "direct/polygon-map", "direct/sphere-map", "direct/cube-map", "direct/proxy-map",
-           "direct/distance-map", "direct/hybrid"]
+           "direct/distance-map", "direct/planar", "direct/hybrid"]
 TOP_FIELDS = {"schema": int, "utsuri": str, "scene": str, "device": dict, "width": int, "height": int,
               "seed": int, "light": str, "reference": dict, "methods": list}
 RESULT_FIELDS = {"name": str, "light": str, "reflection": str, "settings": dict, "prepare_seconds": float,

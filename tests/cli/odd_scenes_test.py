@@ -57,7 +57,7 @@ class OddScenes(CliCase):
                    "no light in the file: lit by uniform surroundings of 1 cd/m2", 2)
 
     def test_empty_scene_shows_the_surroundings(self):
-        for reflection in ("trace", "polygon-map", "sphere-map", "proxy-map", "distance-map", "hybrid"):
+        for reflection in ("trace", "polygon-map", "sphere-map", "proxy-map", "distance-map", "planar", "hybrid"):
             with self.subTest(reflection=reflection):
                 path = self.write({"asset": {"version": "2.0"}})
                 _, told = self.render(path, "--reflection", reflection)

@@ -85,7 +85,7 @@ class Render(CliCase):
             self.assertNotEqual(self.bytes_of(name, "--seed", "4"), first)
 
     def test_maps_with_the_same_seed(self):
-        for reflection in ("polygon-map", "sphere-map", "cube-map", "proxy-map", "distance-map", "hybrid"):
+        for reflection in ("polygon-map", "sphere-map", "cube-map", "proxy-map", "distance-map", "planar", "hybrid"):
             arguments = ("render", self.scene("spheres"), *SMALL, *MAPS, "--spp", "2",
                          "--reflection", reflection)
             for name in ("first.exr", "second.exr"):
