@@ -9,6 +9,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <array>
+
 namespace utsuri::test {
 namespace {
 
