@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a drawn reflector shows: the light along its mirrored direction, from its maps.
+// What a drawn reflector shows: the light along its mirrored direction, from its maps. Comes after drawn_light.glsl.
 #include "kernels/map_bindings.glsl"
 
-layout(constant_id = SPEC_MAP_KIND) const uint MAP_KIND = MAP_KIND_POLYGON;
 layout(constant_id = SPEC_FACE_COUNT) const uint FACE_COUNT = CUBE_FACES;
 
 layout(scalar, binding = BINDING_MAP_FACES) readonly restrict buffer MapFaces { MapFace map_faces[]; };

@@ -22,6 +22,23 @@ vec3 cube_vector(vec3 c, uint face) {
     return face < 2u ? c.zxy : (face < 4u ? c.yzx : c);
 }
 
+/// Where the centre of a texel lies on its face, of `edge` texels, in [-1, 1]^2.
+vec2 cube_place(uvec2 texel, uint edge) {
+    return (vec2(texel) + 0.5) * (2.0 / float(edge)) - 1.0;
+}
+
+/// Solid angle per area of the face there.
+float cube_solid_angle(vec2 p) {
+    float distance2 = 1.0 + dot(p, p);
+    return inversesqrt(distance2) / distance2;
+}
+
+/// Texels of the levels before one, each of half the edge of the last.
+uint cube_level(uint edge, uint level) {
+    uint at_level = edge >> level;
+    return 8u * (edge * edge - at_level * at_level);
+}
+
 /// The face beyond the edge x = 1 (or -1), or y = 1 (or -1), of a face.
 uint cube_neighbour(uint face, bool beyond_x, bool positive) {
     uint axis = ((face >> 1) + (beyond_x ? 1u : 2u)) % 3u;

@@ -5,6 +5,7 @@
 #include "compare/comparison_table.h"
 #include "renderers/common/film.h"
 #include "renderers/common/light_cache.h"
+#include "renderers/reflection_map/rough_map_plan.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -28,6 +29,7 @@ struct Prediction {
     std::uint64_t light = 0;         ///< kept on surfaces, for methods that draw
     std::uint64_t drawing = 0;       ///< the pictures that are drawn into
     std::uint64_t polygon_maps = 0;  ///< with their film
+    std::uint64_t rough_maps = 0;    ///< what rough lobes reflect, with what it takes to capture that
 };
 
 Prediction predict(const SceneData& data, const RenderSettings& settings, const MapSettings& maps) {
@@ -47,11 +49,12 @@ Prediction predict(const SceneData& data, const RenderSettings& settings, const 
             reflectors * maps.polyhedron.planes.size() * stride * stride * sizeof(glm::vec3) +
             Film::bytes(maps.size + 2, maps.size + 2);
     }
+    prediction.rough_maps = rough_map_bytes(data, maps.size);
     return prediction;
 }
 
 std::string depth_text(std::uint32_t depth) {
-    return depth == kUnboundedSpecularDepth ? "unbounded (mirrors can face each other)"
+    return depth == kUnboundedSpecularDepth ? "unbounded (surfaces that reflect can face each other)"
                                             : fmt::format("{}", depth);
 }
 
@@ -97,6 +100,7 @@ std::string describe(const InfoOptions& options, const LoadedScene& loaded, cons
     row("light on surfaces", format_bytes(memory.light));
     row("drawing", format_bytes(memory.drawing));
     row("polygon maps", format_bytes(memory.polygon_maps));
+    row("maps of rough lobes", format_bytes(memory.rough_maps));
     if (!loaded.notes.empty()) text += "notes\n";
     for (const std::string& note : loaded.notes)
         text += fmt::format("  {}\n", note);
@@ -139,7 +143,8 @@ nlohmann::ordered_json to_json(const InfoOptions& options, const LoadedScene& lo
               {"film", memory.film},
               {"light", memory.light},
               {"drawing", memory.drawing},
-              {"polygon_maps", memory.polygon_maps}}},
+              {"polygon_maps", memory.polygon_maps},
+              {"rough_maps", memory.rough_maps}}},
             {"notes", loaded.notes}};
 }
 

@@ -38,6 +38,11 @@ bool reflects(const Scene& scene, const Material& material) {
     return material.metallic * metallic.upper > 0.0f || material.specular > 0.0f;
 }
 
+RoughnessRange roughness_range(const Scene& scene, const Material& material) {
+    const Range texture = channel_range(scene, material.metallic_roughness_texture, kRoughnessChannel);
+    return {material.roughness * texture.lower, material.roughness * texture.upper};
+}
+
 bool has_texture(const Material& material) {
     return material.base_colour_texture.used() || material.metallic_roughness_texture.used() ||
            material.emissive_texture.used();
@@ -74,13 +79,11 @@ bool in_one_plane(const Scene& scene, const std::vector<std::uint32_t>& instance
 }  // namespace
 
 bool may_be_specular(const Scene& scene, const Material& material) {
-    const Range roughness = channel_range(scene, material.metallic_roughness_texture, kRoughnessChannel);
-    return reflects(scene, material) && material.roughness * roughness.lower < interop::SPECULAR_ROUGHNESS;
+    return reflects(scene, material) && roughness_range(scene, material).least < interop::SPECULAR_ROUGHNESS;
 }
 
 bool may_be_glossy(const Scene& scene, const Material& material) {
-    const Range roughness = channel_range(scene, material.metallic_roughness_texture, kRoughnessChannel);
-    return reflects(scene, material) && material.roughness * roughness.upper >= interop::SPECULAR_ROUGHNESS;
+    return reflects(scene, material) && roughness_range(scene, material).most >= interop::SPECULAR_ROUGHNESS;
 }
 
 Requirements find_requirements(const Scene& scene) {
@@ -107,6 +110,7 @@ Requirements find_requirements(const Scene& scene) {
     for (const Material& material : scene.materials) {
         needs.surfaces.push_back(
             {may_be_glossy(scene, material), may_be_specular(scene, material), has_texture(material)});
+        needs.roughness.push_back(roughness_range(scene, material));
     }
     for (const std::uint32_t material : materials)
         needs.glossy = needs.glossy || needs.surfaces[material].glossy;

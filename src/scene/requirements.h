@@ -18,6 +18,12 @@ struct SurfaceFeatures {
     friend auto operator<=>(const SurfaceFeatures&, const SurfaceFeatures&) = default;
 };
 
+/// Perceptual roughness over the points of a material.
+struct RoughnessRange {
+    float least = 1.0f;
+    float most = 1.0f;
+};
+
 /// What rendering a scene takes. It picks the specialization of every kernel and decides which resources
 /// exist at all.
 struct Requirements {
@@ -34,6 +40,7 @@ struct Requirements {
     bool specular = false;                            ///< perfect mirrors or smooth dielectrics
     std::vector<std::uint32_t> reflective_instances;  ///< with a specular surface
     std::vector<SurfaceFeatures> surfaces;            ///< of each material, in use or not
+    std::vector<RoughnessRange> roughness;            ///< of each material
     /// Most specular reflections a ray can meet: 0 without specular lobes, 1 where all surfaces that have one
     /// lie in one plane, else unbounded.
     std::uint32_t specular_depth = 0;

@@ -84,8 +84,11 @@ class Queries(CliCase):
         film = 48 * 258 * 258  # of one map
         self.assertEqual((tetrahedron["polygon_maps"] - film) * 6, (cube["polygon_maps"] - film) * 4)
 
-    def test_info_predicts_no_maps_without_mirrors(self):
-        self.assertEqual(self.json_of("info", self.scene("cornell"))["predicted_bytes"]["polygon_maps"], 0)
+    def test_info_predicts_no_maps_without_specular_lobes(self):
+        predicted = self.json_of("info", self.scene("cornell"))["predicted_bytes"]
+        self.assertEqual(predicted["polygon_maps"], 0)
+        self.assertEqual(predicted["rough_maps"], 0)
+        self.assertGreater(self.json_of("info", self.scene("office"))["predicted_bytes"]["rough_maps"], 0)
 
     def test_version_and_help(self):
         self.assertRegex(self.succeed("--version").stdout, r"^utsuri \d+\.\d+\.\d+\n$")

@@ -10,6 +10,7 @@
 #include "interop/raster.h"
 #include "interop/rays.h"
 #include "interop/reflection.h"
+#include "interop/rough_map.h"
 #include "interop/scene.h"
 
 #include <fmt/format.h>
@@ -153,6 +154,21 @@ std::map<std::string, HostStruct> host_structs() {
         {"ResolveMapPush",
          {sizeof(ResolveMapPush),
           {AT(ResolveMapPush, texels), AT(ResolveMapPush, first_texel), AT(ResolveMapPush, samples)}}},
+        {"RoughMapInfo",
+         {sizeof(RoughMapInfo),
+          {AT(RoughMapInfo, capture_point), AT(RoughMapInfo, proxy_lower), AT(RoughMapInfo, proxy_upper),
+           AT(RoughMapInfo, first_level), AT(RoughMapInfo, levels), AT(RoughMapInfo, least_roughness),
+           AT(RoughMapInfo, steps_per_unit)}}},
+        {"RoughLevel", {sizeof(RoughLevel), {AT(RoughLevel, first_texel), AT(RoughLevel, size)}}},
+        {"LobeAlbedo",
+         {sizeof(LobeAlbedo), {AT(LobeAlbedo, constant), AT(LobeAlbedo, schlick), AT(LobeAlbedo, lost)}}},
+        {"HalveMapPush",
+         {sizeof(HalveMapPush),
+          {AT(HalveMapPush, first_source), AT(HalveMapPush, first_texel), AT(HalveMapPush, size)}}},
+        {"PrefilterMapPush",
+         {sizeof(PrefilterMapPush),
+          {AT(PrefilterMapPush, source_size), AT(PrefilterMapPush, size), AT(PrefilterMapPush, first_texel),
+           AT(PrefilterMapPush, alpha)}}},
         {"TriangleInfo",
          {sizeof(TriangleInfo),
           {AT(TriangleInfo, vertices), AT(TriangleInfo, material), AT(TriangleInfo, instance),

@@ -24,9 +24,11 @@
 #include "kernels/draw_surroundings_vert.h"
 #include "kernels/draw_whole_pieces_vert.h"
 #include "kernels/fill_light_cache.h"
+#include "kernels/halve_map.h"
 #include "kernels/measure_distances.h"
 #include "kernels/measure_reflection_frag.h"
 #include "kernels/predict_reflection_frag.h"
+#include "kernels/prefilter_map.h"
 #include "kernels/prefix_sum.h"
 #include "kernels/reduce_bounds.h"
 #include "kernels/reflect_vertices.h"
@@ -62,9 +64,11 @@ std::vector<ProductKernel> product_kernels() {
             {"draw_surroundings_vert", kernels::draw_surroundings_vert},
             {"draw_whole_pieces_vert", kernels::draw_whole_pieces_vert},
             {"fill_light_cache", kernels::fill_light_cache},
+            {"halve_map", kernels::halve_map},
             {"measure_distances", kernels::measure_distances},
             {"measure_reflection_frag", kernels::measure_reflection_frag},
             {"predict_reflection_frag", kernels::predict_reflection_frag},
+            {"prefilter_map", kernels::prefilter_map},
             {"prefix_sum", kernels::prefix_sum},
             {"reduce_bounds", kernels::reduce_bounds},
             {"reflect_vertices", kernels::reflect_vertices},

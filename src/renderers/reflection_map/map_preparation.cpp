@@ -5,9 +5,14 @@
 
 namespace utsuri {
 
+RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps) {
+    const bool fits_boxes = kind == MapKind::proxy || keeps_distances(kind);
+    return {maps.size, maps.samples, maps.capture_point, fits_boxes};
+}
+
 void prepare_light_and_maps(const GpuScene& scene, FilledLight& filled, LightCache& light,
-                            ReflectionMaps& maps, DistanceMaps* distances, const Camera& eye,
-                            const RenderSettings& settings, RenderStatistics& statistics,
+                            ReflectionMaps& maps, RoughMaps& rough_maps, DistanceMaps* distances,
+                            const Camera& eye, const RenderSettings& settings, RenderStatistics& statistics,
                             Progress& progress) {
     light.fill(scene, settings.seed, filled, progress);
     statistics.prepare_seconds += filled.seconds;
@@ -18,6 +23,8 @@ void prepare_light_and_maps(const GpuScene& scene, FilledLight& filled, LightCac
     double capture_compile_seconds = 0.0;
     accumulate(statistics.prepare_counts,
                maps.capture(scene, light, eye, settings, capture_compile_seconds, progress));
+    accumulate(statistics.prepare_counts,
+               rough_maps.capture(scene, light, settings, capture_compile_seconds, progress));
     if (distances) {
         accumulate(statistics.prepare_counts, distances->capture(scene, capture_compile_seconds, progress));
     }

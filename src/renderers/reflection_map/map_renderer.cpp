@@ -46,6 +46,7 @@ MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& 
       kind_(kind),
       maps_(device, data, kind, map_settings),
       distances_(make_distances(device, data, maps_, kind, map_settings)),
+      rough_maps_(device, data, rough_map_settings(kind, map_settings)),
       light_cache_(device, data, light.settings),
       reflectors_(maps_.reflectors().triangles.empty()
                       ? nullptr
@@ -59,12 +60,14 @@ Bindings MapRenderer::drawing_bindings() const {
     Bindings bindings = scene_.bindings();
     bindings.merge(light_cache_.bindings());
     bindings.merge(maps_.bindings());
+    bindings.merge(rough_maps_.bindings());
     if (distances_) bindings.merge(distances_->bindings());
     return bindings;
 }
 
 Specialization MapRenderer::drawing_specialization() const {
     Specialization specialization = scene_.specialization();
+    specialization[interop::SPEC_MAP_KIND] = whole_map_kind(kind_);
     specialization[interop::SPEC_MAP_SIZE] = map_settings_.size;
     if (distances_) specialization[interop::SPEC_DISTANCE_SIZE] = distances_->size();
     return specialization;
@@ -80,8 +83,8 @@ void MapRenderer::prepare(Progress& progress) {
     reflect();
     statistics_.compile_seconds += seconds_since(start);
 
-    prepare_light_and_maps(scene_, filled_light_, light_cache_, maps_, distances_ ? &*distances_ : nullptr,
-                           camera_, settings_, statistics_, progress);
+    prepare_light_and_maps(scene_, filled_light_, light_cache_, maps_, rough_maps_,
+                           distances_ ? &*distances_ : nullptr, camera_, settings_, statistics_, progress);
 }
 
 void MapRenderer::look_from(const Camera& camera) {

@@ -6,6 +6,7 @@
 #include "renderers/reflection_map/frame_drawer.h"
 #include "renderers/reflection_map/prediction_drawer.h"
 #include "renderers/reflection_map/reflection_maps.h"
+#include "renderers/reflection_map/rough_maps.h"
 
 #include <memory>
 #include <optional>
@@ -35,6 +36,7 @@ class MapRenderer : public Renderer {
     [[nodiscard]] std::vector<MeasuredError> measure_errors();
 
     [[nodiscard]] const ReflectionMaps& maps() const { return maps_; }
+    [[nodiscard]] const RoughMaps& rough_maps() const { return rough_maps_; }
     /// None where nothing is reflective.
     [[nodiscard]] const ReflectorDrawer* reflectors() const { return reflectors_.get(); }
 
@@ -60,6 +62,7 @@ class MapRenderer : public Renderer {
     MapKind kind_;
     ReflectionMaps maps_;
     std::optional<DistanceMaps> distances_;
+    RoughMaps rough_maps_;
     LightCache light_cache_;
     std::unique_ptr<ReflectorDrawer> reflectors_;
     FrameDrawer drawer_;

@@ -11,7 +11,8 @@
 namespace utsuri {
 namespace {
 
-Specialization with_map_size(Specialization specialization, std::uint32_t size) {
+Specialization with_maps(Specialization specialization, std::uint32_t size) {
+    specialization[interop::SPEC_MAP_KIND] = whole_map_kind(MapKind::proxy);
     specialization[interop::SPEC_MAP_SIZE] = size;
     return specialization;
 }
@@ -37,9 +38,10 @@ PlanarRenderer::PlanarRenderer(Device& device, const SceneData& data, const GpuS
       settings_(settings),
       mirrors_(find_plane_mirrors(data)),
       maps_(device, data, MapKind::proxy, map_settings, curved_instances(data, mirrors_)),
+      rough_maps_(device, data, rough_map_settings(MapKind::proxy, map_settings)),
       light_cache_(device, data, light.settings),
       drawer_(device, data, mirrors_, maps_.reflectors(), maps_.faces(),
-              with_map_size(scene.specialization(), map_settings.size), drawing_bindings(), settings.width,
+              with_maps(scene.specialization(), map_settings.size), drawing_bindings(), settings.width,
               settings.height) {
     look_from(camera);
 }
@@ -48,6 +50,7 @@ Bindings PlanarRenderer::drawing_bindings() const {
     Bindings bindings = scene_.bindings();
     bindings.merge(light_cache_.bindings());
     bindings.merge(maps_.bindings());
+    bindings.merge(rough_maps_.bindings());
     return bindings;
 }
 
@@ -56,8 +59,8 @@ void PlanarRenderer::prepare(Progress& progress) {
     drawer_.warm_up();
     statistics_.compile_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    prepare_light_and_maps(scene_, filled_light_, light_cache_, maps_, nullptr, camera_, settings_,
-                           statistics_, progress);
+    prepare_light_and_maps(scene_, filled_light_, light_cache_, maps_, rough_maps_, nullptr, camera_,
+                           settings_, statistics_, progress);
 }
 
 void PlanarRenderer::look_from(const Camera& camera) {

@@ -4,6 +4,7 @@
 #include "renderers/common/light_cache.h"
 #include "renderers/reflection_map/planar_drawer.h"
 #include "renderers/reflection_map/reflection_maps.h"
+#include "renderers/reflection_map/rough_maps.h"
 
 namespace utsuri {
 
@@ -36,6 +37,7 @@ class PlanarRenderer : public Renderer {
     RenderSettings settings_;
     PlaneMirrors mirrors_;
     ReflectionMaps maps_;
+    RoughMaps rough_maps_;
     LightCache light_cache_;
     PlanarDrawer drawer_;
     std::vector<MirrorImage> images_;

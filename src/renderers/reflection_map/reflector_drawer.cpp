@@ -48,23 +48,6 @@ SurfaceFeatures features_of(const SceneData& data, const Reflectors& reflectors)
     return all;
 }
 
-std::uint32_t whole_map_kind(MapKind kind) {
-    switch (kind) {
-        case MapKind::polygon:
-            return interop::MAP_KIND_POLYGON;
-        case MapKind::sphere:
-            return interop::MAP_KIND_SPHERE;
-        case MapKind::cube:
-            return interop::MAP_KIND_CUBE;
-        case MapKind::proxy:
-            return interop::MAP_KIND_PROXY;
-        case MapKind::distance:
-        case MapKind::hybrid:
-            return interop::MAP_KIND_DISTANCE;
-    }
-    fail_check(__FILE__, __LINE__, "a kind of map that cannot be drawn");
-}
-
 std::span<const std::uint32_t> whole_fragment(MapKind kind) {
     if (kind == MapKind::distance) return kernels::draw_distance_reflector_frag;
     if (kind == MapKind::hybrid) return kernels::draw_hybrid_reflector_frag;
@@ -96,6 +79,23 @@ std::uint32_t groups(std::uint32_t invocations) {
 }
 
 }  // namespace
+
+std::uint32_t whole_map_kind(MapKind kind) {
+    switch (kind) {
+        case MapKind::polygon:
+            return interop::MAP_KIND_POLYGON;
+        case MapKind::sphere:
+            return interop::MAP_KIND_SPHERE;
+        case MapKind::cube:
+            return interop::MAP_KIND_CUBE;
+        case MapKind::proxy:
+            return interop::MAP_KIND_PROXY;
+        case MapKind::distance:
+        case MapKind::hybrid:
+            return interop::MAP_KIND_DISTANCE;
+    }
+    fail_check(__FILE__, __LINE__, "a kind of map that cannot be drawn");
+}
 
 ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Reflectors& reflectors,
                                  MapKind kind, const std::vector<interop::MapFace>& faces,

@@ -27,6 +27,9 @@ constexpr bool keeps_distances(MapKind kind) {
     return kind == MapKind::distance || kind == MapKind::hybrid;
 }
 
+/// How whole polygons address maps of a kind: a MAP_KIND_ of interop/reflection.h.
+std::uint32_t whole_map_kind(MapKind kind);
+
 /// Draws the polygons of reflectors with what they reflect. Where reflection vectors are found per vertex,
 /// polygons that straddle faces of the polyhedron of maps are cut along the boundaries by a kernel, and the
 /// pieces drawn indirectly.

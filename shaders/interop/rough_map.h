@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What rough lobes reflect: cubes of maps, each convolved with the lobe of one roughness.
+#ifndef UTSURI_INTEROP_ROUGH_MAP_H
+#define UTSURI_INTEROP_ROUGH_MAP_H
+#include "interop/prelude.h"
+INTEROP_BEGIN
+
+/// Faces in the order of CUBE_FACES.
+INTEROP_CONSTANT ROUGH_MAP_FACES = 6u;
+/// Texels around a face that hold what its neighbours hold, so that filtering needs no neighbour.
+INTEROP_CONSTANT ROUGH_MAP_BORDER = 1u;
+
+/// The maps of one instance of the scene: levels at even steps of perceptual roughness.
+struct RoughMapInfo {
+    vec3 capture_point;
+    vec3 proxy_lower;  ///< box that stands in for the surroundings
+    vec3 proxy_upper;
+    uint first_level;
+    uint levels;            ///< 0 where no lobe is rough
+    float least_roughness;  ///< of the first level
+    float steps_per_unit;   ///< levels per unit of roughness
+};
+
+struct RoughLevel {
+    uint first_texel;
+    uint size;  ///< texels along an edge of a face, border not counted
+};
+
+/// Entries along an edge of the table of LobeAlbedo: over the square root of the cosine to the viewer and,
+/// slower, over perceptual roughness, both from 0 to 1.
+INTEROP_CONSTANT LOBE_ALBEDO_SIZE = 32u;
+
+/// What a surface reflects of uniform surroundings of radiance 1.
+struct LobeAlbedo {
+    float constant;  ///< rough lobe: the factor of the reflectance at normal incidence
+    float schlick;   ///< rough lobe: the factor of the reflectance at grazing incidence
+    float lost;      ///< mean of Schlick's weight over the light that a Lambert lobe reflects
+};
+
+struct HalveMapPush {
+    uint first_source;  ///< texels of the finer level, all faces
+    uint first_texel;   ///< of the coarser level
+    uint size;          ///< of the coarser level
+};
+
+struct PrefilterMapPush {
+    uint source_size;  ///< of the finest source level, a power of two
+    uint size;         ///< of the level made
+    uint first_texel;
+    float alpha;  ///< GGX width
+};
+
+INTEROP_END
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The next level of a cube of maps without borders: means over blocks of four texels, weighted by their solid angles.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "interop/bindings.h"
+#include "interop/rough_map.h"
+#include "lib/cube.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(push_constant, scalar) uniform Push { HalveMapPush push; };
+
+layout(scalar, binding = BINDING_MAP_TEXELS) restrict buffer MapTexels { vec3 map_texels[]; };
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    uint per_face = push.size * push.size;
+    if (index >= ROUGH_MAP_FACES * per_face) return;
+    uint face = index / per_face;
+    uvec2 block = uvec2(index % push.size, index % per_face / push.size);
+    uint edge = 2u * push.size;
+    vec3 sum = vec3(0.0);
+    float weights = 0.0;
+    for (uint i = 0u; i < 4u; ++i) {
+        uvec2 texel = 2u * block + uvec2(i & 1u, i >> 1);
+        float weight = cube_solid_angle(cube_place(texel, edge));
+        sum += weight * map_texels[push.first_source + face * edge * edge + texel.y * edge + texel.x];
+        weights += weight;
+    }
+    map_texels[push.first_texel + index] = sum / weights;
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// One level of a rough map: what the GGX lobe of one width reflects of a cube of maps to a viewer at its normal, weighted by
+// the cosine (the first factor of the split sum, Karis 2013). Not sampled but summed over blocks of texels, small where the
+// lobe bends: without noise however small and bright lights are, and exact where all is uniform.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "interop/bindings.h"
+#include "interop/rough_map.h"
+#include "lib/cube.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(push_constant, scalar) uniform Push { PrefilterMapPush push; };
+
+layout(scalar, binding = BINDING_MAP_TEXELS) readonly restrict buffer MapTexels { vec3 map_texels[]; };
+layout(scalar, binding = BINDING_ROUGH_TEXELS) writeonly restrict buffer RoughTexels { vec3 rough_texels[]; };
+
+/// Half the edge of a block, at most, as a share of the angle over which the lobe changes: there, 4/3 of its square is the
+/// error of taking the lobe at the block's centre. Blocks of wide lobes are no larger than this.
+const float BLOCK_SHARE = 1.0 / 16.0;
+
+/// Blocks of a quadtree over each face in Morton order, the larger before what they consist of.
+struct Block {
+    uint level;  ///< 0: texels
+    uvec2 place;
+};
+
+/// The lobe over the solid angle of light from direction l, up to a factor, where normal and viewer lie along n.
+/// @param chord2 |l - n|^2, which knows small angles better than the cosine
+float lobe_weight(float chord2) {
+    float cos_i = 1.0 - 0.5 * chord2;
+    if (cos_i <= 0.0) return 0.0;
+    float sin2_h = 0.25 * chord2;
+    // Times alpha^2: narrow lobes would overflow.
+    float ratio = push.alpha / (push.alpha * push.alpha * (1.0 - sin2_h) + sin2_h) * push.alpha;
+    return ratio * ratio * cos_i;
+}
+
+bool next_block(inout Block block, uint top) {
+    while (block.level < top) {
+        if ((block.place.x & 1u) == 0u) {
+            block.place.x += 1u;
+            return true;
+        }
+        if ((block.place.y & 1u) == 0u) {
+            block.place += uvec2(-1, 1);
+            return true;
+        }
+        block.place >>= 1;
+        block.level += 1u;
+    }
+    return false;
+}
+
+vec3 sum_blocks(vec3 n) {
+    uint top = uint(findMSB(push.source_size));
+    vec3 sum = vec3(0.0);
+    float weights = 0.0;
+    for (uint face = 0u; face < ROUGH_MAP_FACES; ++face) {
+        Block block = Block(top, uvec2(0u));
+        bool more = true;
+        while (more) {
+            uint edge = push.source_size >> block.level;
+            vec2 p = cube_place(block.place, edge);
+            vec3 from_n = normalize(cube_vector(vec3(p, 1.0), face)) - n;
+            float chord2 = dot(from_n, from_n);
+            if (block.level > 0u && 1.0 > BLOCK_SHARE * float(edge) * min(2.0 * push.alpha + sqrt(chord2), 1.0)) {
+                block = Block(block.level - 1u, 2u * block.place);
+                continue;
+            }
+            float weight = lobe_weight(chord2) * cube_solid_angle(p) / float(edge * edge);
+            if (weight > 0.0) {
+                uint first = cube_level(push.source_size, block.level);
+                sum += weight * map_texels[first + (face * edge + block.place.y) * edge + block.place.x];
+                weights += weight;
+            }
+            more = next_block(block, top);
+        }
+    }
+    return sum / weights;
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    uint stride = push.size + 2u * ROUGH_MAP_BORDER;
+    if (index >= ROUGH_MAP_FACES * stride * stride) return;
+    vec2 texel = vec2(index % stride, index / stride % stride) - float(ROUGH_MAP_BORDER);
+    vec2 p = (texel + 0.5) * (2.0 / float(push.size)) - 1.0;
+    uint face = index / (stride * stride);
+    rough_texels[push.first_texel + index] = sum_blocks(normalize(cube_vector(vec3(p, 1.0), face)));
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a rough lobe of a drawn surface reflects, from maps convolved with lobes: the split sum (Karis 2013).
+#include "interop/rough_map.h"
+#include "interop/reflection.h"
+#include "lib/cube.glsl"
+#include "lib/proxy.glsl"
+
+layout(constant_id = SPEC_MAP_KIND) const uint MAP_KIND = MAP_KIND_POLYGON;
+
+layout(scalar, binding = BINDING_ROUGH_MAPS) readonly restrict buffer RoughMaps { RoughMapInfo rough_maps[]; };
+layout(scalar, binding = BINDING_ROUGH_LEVELS) readonly restrict buffer RoughLevels { RoughLevel rough_levels[]; };
+layout(scalar, binding = BINDING_ROUGH_TEXELS) readonly restrict buffer RoughTexels { vec3 rough_texels[]; };
+layout(scalar, binding = BINDING_LOBE_ALBEDO) readonly restrict buffer LobeAlbedos { LobeAlbedo lobe_albedos[]; };
+
+/// Bilinear value of a level.
+vec3 rough_level(RoughLevel level, vec3 direction) {
+    uint face = cube_face(direction);
+    vec3 c = cube_components(direction, face);
+    uint stride = level.size + 2u * ROUGH_MAP_BORDER;
+    vec2 position = (0.5 * float(level.size)) * (c.xy / c.z + 1.0) + float(ROUGH_MAP_BORDER) - 0.5;
+    vec2 corner = clamp(floor(position), vec2(0.0), vec2(float(stride - 2u)));
+    vec2 f = clamp(position - corner, 0.0, 1.0);
+    uint texel = level.first_texel + (face * stride + uint(corner.y)) * stride + uint(corner.x);
+    return mix(mix(rough_texels[texel], rough_texels[texel + 1u], f.x),
+               mix(rough_texels[texel + stride], rough_texels[texel + stride + 1u], f.x), f.y);
+}
+
+/// The direction from the capture point that stands for the mirrored one. Sphere maps are in eye space: rough lobes have
+/// none, and take what is far.
+vec3 rough_direction(Surface surface, RoughMapInfo map, vec3 wi) {
+    if (MAP_KIND == MAP_KIND_PROXY || MAP_KIND == MAP_KIND_DISTANCE) {
+        return leave_box(surface.position, wi, map.proxy_lower, map.proxy_upper) - map.capture_point;
+    }
+    // Opposite vectors may cancel; nothing can be interpolated there.
+    return MAP_KIND == MAP_KIND_POLYGON && drawn_reflection != vec3(0.0) ? drawn_reflection : wi;
+}
+
+vec3 rough_radiance(Surface surface, vec3 wo) {
+    RoughMapInfo map = rough_maps[triangle_infos[surface.triangle].instance];
+    vec3 direction = rough_direction(surface, map, reflect(-wo, surface.ns));
+    float position = (sqrt(surface.alpha) - map.least_roughness) * map.steps_per_unit;
+    position = clamp(position, 0.0, float(map.levels - 1u));
+    uint below = uint(position);
+    vec3 radiance = rough_level(rough_levels[map.first_level + below], direction);
+    if (float(below) == position) return radiance;
+    return mix(radiance, rough_level(rough_levels[map.first_level + below + 1u], direction), position - float(below));
+}
+
+LobeAlbedo mix_albedo(LobeAlbedo a, LobeAlbedo b, float f) {
+    return LobeAlbedo(mix(a.constant, b.constant, f), mix(a.schlick, b.schlick, f), mix(a.lost, b.lost, f));
+}
+
+LobeAlbedo lobe_albedo(Surface surface, float cos_o) {
+    const float LAST = float(LOBE_ALBEDO_SIZE - 1u);
+    vec2 position = LAST * clamp(sqrt(vec2(cos_o, surface.alpha)), 0.0, 1.0);
+    vec2 corner = min(floor(position), LAST - 1.0);
+    vec2 f = position - corner;
+    uint entry = uint(corner.y) * LOBE_ALBEDO_SIZE + uint(corner.x);
+    return mix_albedo(mix_albedo(lobe_albedos[entry], lobe_albedos[entry + 1u], f.x),
+                      mix_albedo(lobe_albedos[entry + LOBE_ALBEDO_SIZE], lobe_albedos[entry + LOBE_ALBEDO_SIZE + 1u], f.x),
+                      f.y);
+}

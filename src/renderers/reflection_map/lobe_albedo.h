@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "interop/rough_map.h"
+
+#include <vector>
+
+namespace utsuri {
+
+/// What a lobe of GGX width `alpha` and a Lambert lobe reflect of uniform surroundings towards a viewer at
+/// the cosine `mu`, by quadrature in float64, to 5e-4.
+interop::LobeAlbedo lobe_albedo(double alpha, double mu);
+
+/// The table that kernels interpolate, LOBE_ALBEDO_SIZE^2 entries.
+std::vector<interop::LobeAlbedo> make_lobe_albedo_table();
+
+}  // namespace utsuri

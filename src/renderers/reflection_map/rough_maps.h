@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/common/gpu_scene.h"
+#include "renderers/common/light_cache.h"
+#include "renderers/common/renderer.h"
+#include "renderers/reflection_map/rough_map_plan.h"
+
+#include "base/progress.h"
+#include "image/image.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace utsuri {
+
+struct RoughMapSettings {
+    std::uint32_t size = 256;    ///< texels along an edge of a face of what is captured, at most
+    std::uint32_t samples = 16;  ///< per texel, >= 1
+    std::optional<glm::dvec3> capture_point = std::nullopt;  ///< world space; each instance's own if not set
+    bool fits_boxes = false;                                 ///< whether look-ups are corrected by a box
+};
+
+/// What rough lobes reflect: for every instance that has some, cubes of maps captured without it from one
+/// point, and convolved with the lobe at as many steps of roughness as the instance has.
+class RoughMaps {
+  public:
+    /// @throws UsageError if the maps cannot fit into one buffer of the device
+    RoughMaps(Device& device, const SceneData& data, const RoughMapSettings& settings);
+
+    /// Captures and convolves the maps.
+    /// @param light filled
+    /// @param seconds_to_compile is increased by the time of the pipelines
+    FrameCounts capture(const GpuScene& scene, const LightCache& light, const RenderSettings& settings,
+                        double& seconds_to_compile, Progress& progress);
+
+    [[nodiscard]] Bindings bindings() const;
+    [[nodiscard]] const RoughMapPlan& plan() const { return plan_; }
+
+    /// The texels of one face of a level, border included, as a picture, for tests.
+    [[nodiscard]] Image face(std::uint32_t level, std::uint32_t face) const;
+
+  private:
+    Device* device_;
+    RoughMapSettings settings_;
+    RoughMapPlan plan_;
+    Buffer infos_;
+    Buffer levels_;
+    Buffer texels_;
+    Buffer lobe_albedos_;
+};
+
+}  // namespace utsuri

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection_map/rough_map_plan.h"
+#include "support/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace utsuri {
+namespace {
+
+TEST(RoughMapPlan, ASceneWithoutRoughLobesNeedsNothing) {
+    Scene scene;
+    test::add(scene, test::icosphere(glm::vec3(0.0f), 1.0f, 1), test::mirror());
+    test::add(scene, test::room(glm::vec3(-2.0f), glm::vec3(2.0f)), test::lambert(glm::vec3(0.5f)));
+    const SceneData data = prepare_scene_data(scene);
+    const RoughMapPlan plan = plan_rough_maps(data, 256);
+    EXPECT_TRUE(plan.levels.empty());
+    EXPECT_EQ(plan.texels, 0u);
+    EXPECT_EQ(rough_map_bytes(data, 256), 0u);
+}
+
+TEST(RoughMapPlan, OneRoughnessIsOneLevel) {
+    Scene scene;
+    test::add(scene, test::icosphere(glm::vec3(0.0f), 1.0f, 1), test::mirror());
+    test::add(scene, test::icosphere(glm::vec3(3.0f), 1.0f, 1), test::rough_metal(0.5f));
+    const RoughMapPlan plan = plan_rough_maps(prepare_scene_data(scene), 256);
+    ASSERT_EQ(plan.infos.size(), 2u);
+    EXPECT_EQ(plan.infos[0].levels, 0u);
+    EXPECT_EQ(plan.infos[1].levels, 1u);
+    EXPECT_EQ(plan.infos[1].least_roughness, 0.5f);
+    ASSERT_EQ(plan.levels.size(), 1u);
+    EXPECT_EQ(plan.levels[0].size, 16u) << "4 / alpha";
+    EXPECT_EQ(plan.texels, 6u * 18u * 18u);
+}
+
+TEST(RoughMapPlan, LevelsCoverTheRoughnessOfATexture) {
+    Scene scene;
+    Texture texture;
+    texture.width = 2;
+    texture.height = 1;
+    texture.rgba = {0, 0, 255, 255, 0, 255, 255, 255};  // green: roughness 0 and 1
+    scene.textures = {texture};
+    Material material = test::rough_metal(0.75f);
+    material.metallic_roughness_texture.texture = 0;
+    test::add(scene, test::icosphere(glm::vec3(0.0f), 1.0f, 1), material);
+    const RoughMapPlan plan = plan_rough_maps(prepare_scene_data(scene), 64);
+    const interop::RoughMapInfo& info = plan.infos[0];
+    EXPECT_EQ(info.levels, 7u);
+    EXPECT_NEAR(info.least_roughness + static_cast<float>(info.levels - 1) / info.steps_per_unit, 0.75f,
+                1e-6f);
+    EXPECT_EQ(plan.levels.front().size, 64u) << "no finer than what is captured";
+    for (std::size_t i = 1; i < plan.levels.size(); ++i)
+        EXPECT_LE(plan.levels[i].size, plan.levels[i - 1].size);
+}
+
+}  // namespace
+}  // namespace utsuri
