@@ -75,7 +75,9 @@ void main() {
     ReflectedTriangle triangle = reflected_triangle(polygon);
     uint slot = 0u;
     if (WRITES) slot = cut_counts[straddler];
-    for (uint face = 0u; face < push.faces; ++face) {
+    // Neighbouring invocations cut to whatever face is next for each, instead of all waiting for each face.
+    for (uint met = faces_met(triangle, push.faces); met != 0u; met &= met - 1u) {
+        uint face = uint(findLSB(met));
         cut_to_face(triangle, face, push.faces);
         if (part_count < 3u) continue;
         if (WRITES) {

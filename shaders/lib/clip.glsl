@@ -193,6 +193,25 @@ void cut_part(ReflectedTriangle triangle, uint face, uint j) {
     part_count = kept + 2u;
 }
 
+/// Whether all corners lie beyond one boundary of a face, so that none of the triangle is left there.
+bool misses_face(ReflectedTriangle triangle, uint face, uint faces) {
+    for (uint j = 0u; j < faces; ++j) {
+        vec3 towards = map_faces[face].outward - map_faces[j].outward;
+        if (j != face && max_component(vec3(dot(towards, triangle.reflections[0]), dot(towards, triangle.reflections[1]),
+                                            dot(towards, triangle.reflections[2]))) < 0.0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// A bit for each face that a part of the triangle may lie on.
+uint faces_met(ReflectedTriangle triangle, uint faces) {
+    uint met = 0u;
+    for (uint face = 0u; face < faces; ++face) met |= misses_face(triangle, face, faces) ? 0u : 1u << face;
+    return met;
+}
+
 void cut_to_face(ReflectedTriangle triangle, uint face, uint faces) {
     part_count = 3u;
     for (uint corner = 0u; corner < 3u; ++corner) {

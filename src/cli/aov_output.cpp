@@ -21,6 +21,13 @@ struct Aov {
     std::function<void(const AovPixel&, const SceneData&, float*)> extract;
 };
 
+constexpr const char* kPredicted = "predicted";
+constexpr const char* kMeasured = "measured";
+
+bool holds(const AovSelection& selection, const std::string& name) {
+    return std::find(selection.begin(), selection.end(), name) != selection.end();
+}
+
 void put(const glm::vec3& value, float* out) {
     std::copy_n(&value.x, 3, out);
 }
@@ -73,14 +80,15 @@ const std::vector<Aov>& all_aovs() {
 std::string aov_names() {
     std::string names;
     for (const Aov& aov : all_aovs())
-        names += (names.empty() ? "" : ", ") + aov.name;
-    return names;
+        names += aov.name + ", ";
+    return names + kPredicted + ", " + kMeasured;
 }
 
 AovSelection parse_aovs(const std::string& text) {
     AovSelection selection = split_list(text);
     for (const std::string& name : selection) {
         const auto same = [&](const Aov& aov) { return aov.name == name; };
+        if (name == kPredicted || name == kMeasured) continue;
         if (std::none_of(all_aovs().begin(), all_aovs().end(), same)) {
             throw UsageError("use --aov", fmt::format("'{}'", name),
                              fmt::format("there are: {}", aov_names()));
@@ -96,11 +104,32 @@ std::vector<ExrChannels> AovPlanes::channels() const {
     return result;
 }
 
+bool wants_reflection_errors(const AovSelection& selection) {
+    return holds(selection, kPredicted) || holds(selection, kMeasured);
+}
+
+void add_reflection_errors(AovPlanes& planes, Renderer& renderer, const AovSelection& selection) {
+    if (holds(selection, kPredicted)) {
+        AovPlanes::Plane plane{
+            {"predicted.parallax", "predicted.interpolation", "predicted.texel", "predicted.pixels"}, {}};
+        for (const PredictedError& e : renderer.predict_errors())
+            plane.values.insert(plane.values.end(), {e.parallax, e.interpolation, e.texel, e.pixels});
+        planes.planes.push_back(std::move(plane));
+    }
+    if (holds(selection, kMeasured)) {
+        AovPlanes::Plane plane{{"measured.angle", "measured.pixels", "measured.distance", "measured.seen"},
+                               {}};
+        for (const MeasuredError& e : renderer.measure_errors())
+            plane.values.insert(plane.values.end(), {e.angle, e.pixels, e.distance, e.seen});
+        planes.planes.push_back(std::move(plane));
+    }
+}
+
 AovPlanes extract_aovs(const std::vector<AovPixel>& pixels, const AovSelection& selection,
                        const SceneData& scene) {
     AovPlanes result;
     for (const Aov& aov : all_aovs()) {
-        if (std::find(selection.begin(), selection.end(), aov.name) == selection.end()) continue;
+        if (!holds(selection, aov.name)) continue;
         AovPlanes::Plane plane{aov.channels, std::vector<float>(pixels.size() * aov.channels.size())};
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             aov.extract(pixels[i], scene, &plane.values[i * aov.channels.size()]);

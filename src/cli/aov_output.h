@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderers/common/aov.h"
+#include "renderers/common/renderer.h"
 #include "renderers/common/scene_data.h"
 
 #include "image_io/image_io.h"
@@ -14,7 +15,7 @@ namespace utsuri {
 /// Names of the channels a user asked for.
 using AovSelection = std::vector<std::string>;
 
-/// All names, separated by commas, for help texts.
+/// All names of first-hit data, and those of errors of reflections, separated by commas, for help texts.
 std::string aov_names();
 
 /// @throws UsageError that lists the names there are
@@ -31,6 +32,12 @@ struct AovPlanes {
     /// Views of the planes; valid as long as they are.
     [[nodiscard]] std::vector<ExrChannels> channels() const;
 };
+
+/// Whether errors of reflections are among what a user asked for: MapSettings::predicts_errors.
+bool wants_reflection_errors(const AovSelection& selection);
+
+/// Adds them; values are -1 where no mirror is seen.
+void add_reflection_errors(AovPlanes& planes, Renderer& renderer, const AovSelection& selection);
 
 /// Positions are in world space, triangle numbers those of the scene; pixels that hit nothing have depth
 /// infinity and numbers -1.

@@ -229,8 +229,13 @@ ExitCode render(RenderOptions options, const std::vector<std::string>& given) {
     if (options.choice.wanted()) choice = choose(options, given, input, progress);
     session.device().reset_peak_memory();
     const Method method{parse_light(options.light), parse_reflection(options.reflection)};
-    const std::unique_ptr<Renderer> renderer =
-        make_renderer(method, input, settings, options.picture.map_settings());
+    if (wants_reflection_errors(aovs) && !tells_errors(method)) {
+        throw UsageError("tell errors of reflections", method_name(method),
+                         "only methods that look reflections up in maps have them; use another --reflection");
+    }
+    MapSettings maps = options.picture.map_settings();
+    maps.predicts_errors = wants_reflection_errors(aovs);
+    const std::unique_ptr<Renderer> renderer = make_renderer(method, input, settings, maps);
     progress.begin("preparing");
     renderer->prepare(progress);
     Film film(session.device(), settings.width, settings.height, "picture");
@@ -244,6 +249,7 @@ ExitCode render(RenderOptions options, const std::vector<std::string>& given) {
         const auto info = make_camera_info(camera, data.origin, settings.width, settings.height);
         planes = extract_aovs(render_aovs(session.device(), scene, info, settings.width, settings.height),
                               aovs, data);
+        add_reflection_errors(planes, *renderer, aovs);
     }
     write_picture(result, options, planes.channels());
     progress.clear();
@@ -275,8 +281,9 @@ void add_render_command(CLI::App& app, Action& action) {
         ->required()
         ->type_name("FILE");
     add_method_options(*command, *options);
-    command->add_option("--aov", options->aovs,
-                        "First-hit channels for the .exr, separated by commas: " + aov_names());
+    command->add_option(
+        "--aov", options->aovs,
+        "More channels for the .exr, of the pixel centres, separated by commas: " + aov_names());
     add_choice_options(*command, options->choice);
     for (const char* choice : {"--within", "--error"}) {
         for (const char* fixed : {"--reflection", "--spp", "--time", "--noise"})

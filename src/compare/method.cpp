@@ -99,6 +99,10 @@ bool uses_maps(const Method& method) {
     return method.reflection != ReflectionMethod::trace;
 }
 
+bool tells_errors(const Method& method) {
+    return uses_maps(method) && method.reflection != ReflectionMethod::planar;
+}
+
 std::unique_ptr<Renderer> make_renderer(const Method& method, const RenderInput& input,
                                         const RenderSettings& settings, const MapSettings& maps) {
     if (!uses_maps(method)) {

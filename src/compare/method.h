@@ -49,6 +49,9 @@ std::vector<Method> all_methods(LightMethod light);
 /// Whether a method looks reflections up in maps; `planar` does those of mirrors that are not plane.
 bool uses_maps(const Method& method);
 
+/// Whether a method tells the errors of its reflections: Renderer::predict_errors().
+bool tells_errors(const Method& method);
+
 /// What a picture is made from. Everything must outlive the renderer.
 struct RenderInput {
     Device& device;

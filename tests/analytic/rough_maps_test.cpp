@@ -11,7 +11,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace utsuri::test {
@@ -146,20 +145,21 @@ TEST_F(RoughMapping, ASmallBrightLightMatchesQuadrature) {
             share_of_lobe(glm::normalize(glm::dvec3(0.2, 1.0, 0.1)), alpha, [](const glm::dvec3& l) {
                 return l.y > 0.0 && std::abs(l.x / l.y - 0.2) < kHalf && std::abs(l.z / l.y - 0.1) < kHalf;
             });
-        // By the midpoint rule over the light, which is small.
-        const double solid_angle = 4.0 * kHalf * kHalf * std::pow(1.05, -1.5);
-        const glm::dvec3 to_light = glm::normalize(glm::dvec3(0.2, 1.0, 0.1));
-        const double whole = lobe(to_light, to_light, alpha) * solid_angle / peak;
-        const auto expected = [&](const glm::dvec3& n) {
+        // By the midpoint rule over the light, which is small; its share at the peak tells the whole lobe.
+        const auto light_of = [&](const glm::dvec3& n) {
             double sum = 0.0;
             constexpr int kSteps = 8;
             for (int i = 0; i < kSteps * kSteps; ++i) {
                 const glm::dvec3 l =
                     glm::normalize(glm::dvec3(0.2 + kHalf * (2.0 * (i % kSteps + 0.5) / kSteps - 1.0), 1.0,
                                               0.1 + kHalf * (2.0 * (i / kSteps + 0.5) / kSteps - 1.0)));
-                sum += lobe(n, l, alpha) / (kSteps * kSteps);
+                sum += lobe(n, l, alpha);
             }
-            return static_cast<double>(kRadiance) * sum * solid_angle / whole;
+            return sum;
+        };
+        const double at_peak = light_of(glm::normalize(glm::dvec3(0.2, 1.0, 0.1)));
+        const auto expected = [&](const glm::dvec3& n) {
+            return static_cast<double>(kRadiance) * peak * light_of(n) / at_peak;
         };
         // Texels of what is captured are up to an eighth of an alpha wide, or of 1/32.
         expect_level(level(scene, map_settings(128, glm::dvec3(0.0))), expected,
@@ -268,9 +268,9 @@ double mean_difference(const Image& picture, const Image& reference) {
     return difference / sum;
 }
 
-// A rough ball in a room with a panel of light, against direct/trace of 1024 samples, whose noise is 1 to 2
-// %: what the round lobes of the split sum and the capture point in the middle of the ball cost. Measured:
-// see kMeasured.
+// A rough ball in a room with a panel of light, against direct/trace: what the round lobes of the split sum,
+// the capture point in the middle of the ball and noise cost. Measured at roughness 0.3, 0.5 and 0.8: 0.13,
+// 0.19 and 0.18 with the box, 0.31, 0.26 and 0.21 without.
 TEST_F(RoughMapping, ABallInARoomIsCloseToTracing) {
     RenderSettings settings;
     settings.width = settings.height = 32;
@@ -287,12 +287,13 @@ TEST_F(RoughMapping, ABallInARoomIsCloseToTracing) {
         add(scene, ceiling({0.3f, 2.45f, 0.2f}, 0.4f), emitter(glm::vec3(20.0f)));
         add(scene, icosphere({0.0f, 1.0f, 0.0f}, 0.3f, 4), rough_metal(roughness));
         const Image traced = Observer(device(), scene).picture(camera, settings, 1024);
-        for (const MapKind kind : {MapKind::cube, MapKind::proxy}) {
-            const Image mapped =
-                MapObserver(device(), scene, kind, map_settings(128)).picture(camera, settings, 16);
-            std::printf("roughness %g kind %d difference %g\n", roughness, static_cast<int>(kind),
-                        mean_difference(mapped, traced));
-        }
+        const auto difference = [&](MapKind kind) {
+            MapObserver observer(device(), scene, kind, map_settings(128));
+            return mean_difference(observer.picture(camera, settings, 16), traced);
+        };
+        const double box = difference(MapKind::proxy);
+        EXPECT_LE(box, 0.22) << "roughness " << roughness;
+        EXPECT_LT(box, difference(MapKind::cube)) << "roughness " << roughness;
     }
 }
 

@@ -54,6 +54,14 @@ class Render(CliCase):
         _, _, channels, _ = picture_file.read_exr_header(self.scratch / "picture.exr")
         self.assertEqual(sorted(channels), ["B", "G", "R", "depth.Z"])
 
+    def test_errors_of_reflections(self):
+        names = ["predicted.parallax", "predicted.interpolation", "predicted.texel", "predicted.pixels",
+                 "measured.angle", "measured.pixels", "measured.distance", "measured.seen"]
+        self.json_of("render", self.scene("spheres"), "-o", "picture.exr", *SMALL, "--reflection", "proxy-map", *MAPS,
+                     "--aov", "predicted,measured")
+        _, _, channels, _ = picture_file.read_exr_header(self.scratch / "picture.exr")
+        self.assertEqual(sorted(channels), sorted(["R", "G", "B", *names]))
+
     def test_png(self):
         self.render("picture.png")
         width, height, rows = picture_file.read_png(self.scratch / "picture.png")

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "renderers/common/film_kernel.h"
+#include "renderers/common/reflection_error.h"
 
 #include "base/progress.h"
 #include "scene/camera.h"
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace utsuri {
 
@@ -44,6 +46,16 @@ class Renderer {
     /// Adds `count` samples to each pixel of the film, or fewer if progress says so. The same picture results
     /// from any split of the samples over calls. prepare() comes first.
     void add_samples(Film& film, std::uint32_t count, Progress& progress);
+
+    /// Draws the present view, a sample at the centre of each pixel, without a film: what a window would
+    /// show, and what it costs to move the eye.
+    /// @returns whether the method draws; others can only add samples to a film
+    virtual bool draw_frame() { return false; }
+
+    /// Errors of what the method shows instead of traced reflections, at the pixel centres of the present
+    /// view, row-major, top row first; empty for methods that tell none. prepare() comes first.
+    [[nodiscard]] virtual std::vector<PredictedError> predict_errors() { return {}; }
+    [[nodiscard]] virtual std::vector<MeasuredError> measure_errors() { return {}; }
 
     [[nodiscard]] const RenderStatistics& statistics() const { return statistics_; }
 

@@ -62,26 +62,55 @@ void FrameDrawer::warm_up() {
     });
 }
 
-FrameCounts FrameDrawer::add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,
-                                     Progress& progress) {
+interop::RasterPush FrameDrawer::view_of(const DrawSettings& settings) const {
     interop::RasterPush view{};
     view.camera = settings.camera;
+    view.jitter = {0.5f, 0.5f};
     view.near_plane = near_plane_;
     view.seed = settings.seed;
     view.specular_depth = settings.specular_depth;
     view.excluded_instance = interop::NONE;
     view.tolerance = settings.tolerance;
-    view.pixel = 1.0f / glm::vec2(film.width(), film.height());
-    return samples_.add(film, view, count, progress, colour_,
-                        [&](const vk::raii::CommandBuffer& commands, const interop::RasterPush& push) {
-                            draw_into(commands, colour_, depth_, background_, [&] {
-                                // Depth first: a pixel shades only what it shows.
-                                depth_pass_.draw(commands, depth_bindings_, push, 0, triangle_count_);
-                                if (reflectors_) reflectors_->draw(commands, push);
-                                for (const Batch& batch : batches_)
-                                    batch.pipeline.draw(commands, batch.bindings, push, batch.first,
-                                                        batch.count);
-                            });
+    view.pixel = 1.0f / glm::vec2(colour_.width(), colour_.height());
+    return view;
+}
+
+void FrameDrawer::record(const vk::raii::CommandBuffer& commands, const interop::RasterPush& view) const {
+    draw_into(commands, colour_, depth_, background_, [&] {
+        // Depth first: a pixel shades only what it shows.
+        depth_pass_.draw(commands, depth_bindings_, view, 0, triangle_count_);
+        if (reflectors_) reflectors_->draw(commands, view);
+        for (const Batch& batch : batches_)
+            batch.pipeline.draw(commands, batch.bindings, view, batch.first, batch.count);
+    });
+}
+
+void FrameDrawer::draw_frame(const DrawSettings& settings) {
+    device_.run("draw a frame",
+                [&](const vk::raii::CommandBuffer& commands) { record(commands, view_of(settings)); });
+}
+
+Image FrameDrawer::frame() const {
+    Image image(colour_.width(), colour_.height());
+    const std::uint32_t rows = std::min(image.height, rows_per_band(device_, image.width, sizeof(glm::vec4)));
+    const Buffer copied(device_, std::uint64_t{image.width} * rows * sizeof(glm::vec4), "rows of a frame");
+    auto pixel = image.pixels.begin();
+    for (std::uint32_t first = 0; first < image.height; first += rows) {
+        const std::uint32_t count = std::min(rows, image.height - first);
+        device_.run("copy a frame", [&](const vk::raii::CommandBuffer& commands) {
+            colour_.copy_rows(commands, first, count, copied);
+        });
+        for (const glm::vec4& value : copied.download_records<glm::vec4>(std::size_t{image.width} * count))
+            *pixel++ = glm::vec3(value);
+    }
+    return image;
+}
+
+FrameCounts FrameDrawer::add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,
+                                     Progress& progress) {
+    return samples_.add(film, view_of(settings), count, progress, colour_,
+                        [&](const vk::raii::CommandBuffer& commands, const interop::RasterPush& view) {
+                            record(commands, view);
                         });
 }
 

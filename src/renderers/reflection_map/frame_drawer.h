@@ -39,6 +39,10 @@ class FrameDrawer {
     /// Makes the driver compile what add_samples() needs.
     void warm_up();
 
+    /// Draws one picture, a sample at the centre of each pixel, and leaves it for frame().
+    void draw_frame(const DrawSettings& settings);
+    [[nodiscard]] Image frame() const;
+
     FrameCounts add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,
                             Progress& progress);
 
@@ -54,6 +58,8 @@ class FrameDrawer {
     FrameDrawer(Device& device, const SceneData& data, const DrawList& list,
                 const Specialization& specialization, const Bindings& bindings,
                 const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height);
+    [[nodiscard]] interop::RasterPush view_of(const DrawSettings& settings) const;
+    void record(const vk::raii::CommandBuffer& commands, const interop::RasterPush& view) const;
     [[nodiscard]] Bindings with_draw_list(Bindings bindings) const;
     std::vector<Batch> make_batches(const std::vector<DrawBatch>& planned,
                                     const Specialization& specialization, const Bindings& bindings);

@@ -103,12 +103,20 @@ double MapRenderer::reflect() {
     return reflectors_->look_from(eye);
 }
 
+DrawSettings MapRenderer::draw_settings() const {
+    return {camera_info(), settings_.seed, std::min(settings_.specular_depth, scene_.specular_depth()),
+            map_settings_.tolerance};
+}
+
+bool MapRenderer::draw_frame() {
+    if (eye_moved_) reflect();
+    drawer_.draw_frame(draw_settings());
+    return true;
+}
+
 FrameCounts MapRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
     const double vertex_seconds = eye_moved_ ? reflect() : 0.0;
-    const DrawSettings draw{camera_info(), settings_.seed,
-                            std::min(settings_.specular_depth, scene_.specular_depth()),
-                            map_settings_.tolerance};
-    FrameCounts counts = drawer_.add_samples(film, draw, count, progress);
+    FrameCounts counts = drawer_.add_samples(film, draw_settings(), count, progress);
     counts.gpu_seconds += vertex_seconds;
     return counts;
 }

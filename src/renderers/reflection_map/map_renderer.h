@@ -29,11 +29,13 @@ class MapRenderer : public Renderer {
     /// Moves the eye: all that it costs is the pass over the reflectors' vertices and the drawing. A sphere
     /// map stays turned the way the first eye looked.
     void look_from(const Camera& camera) override;
+    bool draw_frame() override;
+    /// What draw_frame() drew.
+    [[nodiscard]] Image frame() const { return drawer_.frame(); }
 
-    /// Errors of the look-ups at the pixel centres of the present view, row-major, top row first. Needs
-    /// MapSettings::predicts_errors, and prepare().
-    [[nodiscard]] std::vector<PredictedError> predict_errors();
-    [[nodiscard]] std::vector<MeasuredError> measure_errors();
+    /// Needs MapSettings::predicts_errors, where the kind of map keeps no distances.
+    [[nodiscard]] std::vector<PredictedError> predict_errors() override;
+    [[nodiscard]] std::vector<MeasuredError> measure_errors() override;
 
     [[nodiscard]] const ReflectionMaps& maps() const { return maps_; }
     [[nodiscard]] const RoughMaps& rough_maps() const { return rough_maps_; }
@@ -45,6 +47,7 @@ class MapRenderer : public Renderer {
 
   private:
     [[nodiscard]] Bindings drawing_bindings() const;
+    [[nodiscard]] DrawSettings draw_settings() const;
     /// The pass over the reflectors' polygons for the present eye.
     double reflect();
     [[nodiscard]] Specialization drawing_specialization() const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/rough_map_plan.h"
+
 #include "support/scenes.h"
 
 #include <gtest/gtest.h>
