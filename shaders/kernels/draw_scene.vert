@@ -18,6 +18,8 @@ void main() {
     set_drawn_triangle(listed_triangle(), vec2(corner == 1u, corner == 2u));
     drawn_from_eye = listed_corner() - push.camera.origin;
     // Not normalised, as for mirrors: see reflect_vertices.comp.
-    if (HAS_GLOSSY && MAP_KIND == MAP_KIND_POLYGON) drawn_reflection = reflect(drawn_from_eye, normalize_any_scale(drawn_normal));
+    if (HAS_GLOSSY && MAP_KIND == MAP_KIND_POLYGON) {
+        drawn_reflection = reflect(drawn_from_eye, normalize_any_scale(drawn_normal));
+    }
     gl_Position = project(drawn_from_eye);
 }

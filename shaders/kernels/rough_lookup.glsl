@@ -29,7 +29,9 @@ vec3 rough_level(RoughLevel level, vec3 direction) {
 /// none, and take what is far.
 vec3 rough_direction(Surface surface, RoughMapInfo map, vec3 wi) {
     if (MAP_KIND == MAP_KIND_PROXY || MAP_KIND == MAP_KIND_DISTANCE) {
-        return leave_box(surface.position, wi, map.proxy_lower, map.proxy_upper) - map.capture_point;
+        vec3 direction = leave_box(surface.position, wi, map.proxy_lower, map.proxy_upper) - map.capture_point;
+        // A flat box may be left where the capture point is.
+        return direction != vec3(0.0) ? direction : wi;
     }
     // Opposite vectors may cancel; nothing can be interpolated there.
     return MAP_KIND == MAP_KIND_POLYGON && drawn_reflection != vec3(0.0) ? drawn_reflection : wi;
