@@ -5,6 +5,7 @@
 #include "renderers/common/aov.h"
 #include "renderers/common/frame_camera.h"
 #include "renderers/common/light_cache.h"
+#include "renderers/reflection_map/map_preparation.h"
 #include "renderers/reflection_map/reflection_maps.h"
 #include "support/scenes.h"
 #include "support/test_device.h"
@@ -35,6 +36,12 @@ class DrawnFrames : public DeviceTest {
                       std::initializer_list<std::uint32_t> samples) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
+        return draw(data, gpu_scene, camera, samples);
+    }
+
+    /// A frame without a film, where no samples are asked for.
+    static Image draw(const SceneData& data, const GpuScene& gpu_scene, const Camera& camera,
+                      std::initializer_list<std::uint32_t> samples) {
         LightCache cache(device(), data, {kSpacing, 4});
         Progress progress;
         FilledLight light;
@@ -42,16 +49,22 @@ class DrawnFrames : public DeviceTest {
         MapSettings settings;
         settings.size = 4;
         const ReflectionMaps maps(device(), data, MapKind::polygon, settings);
+        const RoughMaps rough_maps(device(), data, rough_map_settings(MapKind::polygon, settings));
         Bindings bindings = gpu_scene.bindings();
         bindings.merge(cache.bindings());
         bindings.merge(maps.bindings());
+        bindings.merge(rough_maps.bindings());
         Specialization specialization = gpu_scene.specialization();
         specialization[interop::SPEC_MAP_SIZE] = 4;
         FrameDrawer drawer(device(), data, specialization, bindings, nullptr, kWidth, kHeight);
         drawer.warm_up();
+        const auto info = make_camera_info(camera, data.origin, kWidth, kHeight);
+        if (samples.size() == 0) {
+            drawer.draw_frame({info, kSeed});
+            return drawer.frame();
+        }
         Film film(device(), kWidth, kHeight, "drawn film");
         for (const std::uint32_t count : samples) {
-            const auto info = make_camera_info(camera, data.origin, kWidth, kHeight);
             EXPECT_EQ(drawer.add_samples(film, {info, kSeed}, count, progress).nonfinite, 0u);
         }
         return film.resolve();
@@ -93,6 +106,23 @@ TEST_F(DrawnFrames, ShowWhatRaysHit) {
     }
     EXPECT_LE(differ, 8 * static_cast<int>(kWidth + kHeight));
     EXPECT_NEAR(drawn_sum / reference_sum, 1.0, 2e-3);
+}
+
+// Without a film a pixel shows what its centre meets; where that is an edge, rounding decides.
+TEST_F(DrawnFrames, ShowPixelCentresWithoutAFilm) {
+    const Scene scene = coloured_room();
+    const Camera camera = look_at({1.5, 0.5, 1.7}, {0, 0, 0}, 1.2);
+    const SceneData data = prepare_scene_data(scene);
+    const GpuScene gpu_scene(device(), data);
+    const Image frame = draw(data, gpu_scene, camera, {});
+    const auto hits = render_aovs(device(), gpu_scene, make_camera_info(camera, data.origin, kWidth, kHeight),
+                                  kWidth, kHeight);
+    int differ = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        ASSERT_NE(hits[i].material, interop::NONE);
+        differ += frame.pixels[i] != scene.materials[hits[i].material].emissive ? 1 : 0;
+    }
+    EXPECT_LE(differ, 3);
 }
 
 // A sun on a floor is kept exactly, so away from edges drawing and tracing agree to rounding.
