@@ -8,11 +8,12 @@ namespace {
 
 constexpr RenderSettings kSettings{24, 18, 3, 8};
 
-/// Every kind of light and surface but mirrors.
-Scene without_mirrors() {
+/// Every kind of light and surface but those that reflect with a lobe, smooth or rough.
+Scene without_lobes() {
     Scene scene = everything_scene();
     for (Material& material : scene.materials) {
-        if (material.roughness == 0.0f) material = lambert(glm::vec3(0.5f));
+        if (may_be_specular(scene, material) || may_be_glossy(scene, material))
+            material = lambert(glm::vec3(0.5f));
     }
     return scene;
 }
@@ -26,7 +27,7 @@ class NoReflection : public DeviceTest {
     };
 
     static Cost render(MapKind kind, const MapSettings& maps) {
-        const SceneData data = prepare_scene_data(without_mirrors());
+        const SceneData data = prepare_scene_data(without_lobes());
         const GpuScene scene(device(), data);
         FilledLight light;
         light.settings = {1.0 / 60.0, 4};
