@@ -80,6 +80,7 @@ class BadOptions(CliCase):
     def test_every_number_has_a_range_and_tells_it(self):
         """Found in the help, so that no option is forgotten."""
         arguments = {"render": ("scene.glb", "-o", "picture.exr"), "compare": ("scene.glb", "-o", "folder"),
+                     "trade": ("scene.glb", "-o", "folder"),
                      "info": ("scene.glb",), "diff": ("a.png", "b.png"), "devices": ()}
         found = set()
         for name in SUBCOMMANDS:
