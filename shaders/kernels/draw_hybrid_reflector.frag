@@ -17,14 +17,10 @@
 /// is far enough for it, which costs no search; else that to where the search says the ray ends.
 vec3 trusted_direction(Surface surface, vec3 wo) {
     DrawnReflection reflection = outlined_reflection(surface, wo);
-    vec3 direction = reflection.ray.direction;
-    float texel = texel_angle(direction);
-    if (predict(reflection.ray, reflection.interval, reflection.footprint, direction, direction, texel).pixels <= push.tolerance) {
-        return direction;
-    }
+    if (outline_suffices(reflection)) return reflection.ray.direction;
     reflection = drawn_reflection_of(surface, wo);
-    direction = seen_along(reflection.ray, reflection.interval.guess);
-    texel = texel_angle(direction);
+    vec3 direction = seen_along(reflection.ray, reflection.interval.guess);
+    float texel = texel_angle(direction);
     Prediction prediction = predict(reflection.ray, reflection.interval, reflection.footprint, direction, direction, texel);
     return prediction.pixels <= push.tolerance ? direction : vec3(0.0);
 }

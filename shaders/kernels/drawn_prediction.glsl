@@ -37,6 +37,22 @@ DrawnReflection drawn_reflection_of(Surface surface, vec3 wo) {
     return result;
 }
 
+/// Whether the mirrored ray's direction will do within push.tolerance, as the outline alone predicts.
+bool outline_suffices(DrawnReflection outlined) {
+    vec3 direction = outlined.ray.direction;
+    Prediction prediction = predict(outlined.ray, outlined.interval, outlined.footprint, direction, direction,
+                                    texel_angle(direction));
+    return prediction.pixels <= push.tolerance;
+}
+
+/// What the method looks up and knows: `hybrid` searches only where the outline does not suffice. Methods that always
+/// search have a tolerance of 0, and no texel is that small.
+DrawnReflection looked_up_reflection_of(Surface surface, vec3 wo) {
+    DrawnReflection outlined = outlined_reflection(surface, wo);
+    if (MAP_KIND == MAP_KIND_DISTANCE && outline_suffices(outlined)) return outlined;
+    return drawn_reflection_of(surface, wo);
+}
+
 vec3 wanted_direction_of(Surface surface, DrawnReflection reflection) {
     if (MAP_KIND == MAP_KIND_DISTANCE) return seen_along(reflection.ray, reflection.interval.guess);
     return wanted_direction(surface, reflection.reflector, reflection.ray.direction);

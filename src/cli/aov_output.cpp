@@ -23,6 +23,7 @@ struct Aov {
 
 constexpr const char* kPredicted = "predicted";
 constexpr const char* kMeasured = "measured";
+constexpr const char* kTraced = "traced";
 
 bool holds(const AovSelection& selection, const std::string& name) {
     return std::find(selection.begin(), selection.end(), name) != selection.end();
@@ -81,14 +82,14 @@ std::string aov_names() {
     std::string names;
     for (const Aov& aov : all_aovs())
         names += aov.name + ", ";
-    return names + kPredicted + ", " + kMeasured;
+    return names + kPredicted + ", " + kMeasured + ", " + kTraced;
 }
 
 AovSelection parse_aovs(const std::string& text) {
     AovSelection selection = split_list(text);
     for (const std::string& name : selection) {
         const auto same = [&](const Aov& aov) { return aov.name == name; };
-        if (name == kPredicted || name == kMeasured) continue;
+        if (name == kPredicted || name == kMeasured || name == kTraced) continue;
         if (std::none_of(all_aovs().begin(), all_aovs().end(), same)) {
             throw UsageError("use --aov", fmt::format("'{}'", name),
                              fmt::format("there are: {}", aov_names()));
@@ -108,7 +109,11 @@ bool wants_reflection_errors(const AovSelection& selection) {
     return holds(selection, kPredicted) || holds(selection, kMeasured);
 }
 
-void add_reflection_errors(AovPlanes& planes, Renderer& renderer, const AovSelection& selection) {
+bool wants_traced_pixels(const AovSelection& selection) {
+    return holds(selection, kTraced);
+}
+
+void add_reflection_data(AovPlanes& planes, Renderer& renderer, const AovSelection& selection) {
     if (holds(selection, kPredicted)) {
         AovPlanes::Plane plane{
             {"predicted.parallax", "predicted.interpolation", "predicted.texel", "predicted.pixels"}, {}};
@@ -123,6 +128,7 @@ void add_reflection_errors(AovPlanes& planes, Renderer& renderer, const AovSelec
             plane.values.insert(plane.values.end(), {e.angle, e.pixels, e.distance, e.seen});
         planes.planes.push_back(std::move(plane));
     }
+    if (holds(selection, kTraced)) planes.planes.push_back({{"traced.I"}, renderer.traced_pixels()});
 }
 
 AovPlanes extract_aovs(const std::vector<AovPixel>& pixels, const AovSelection& selection,

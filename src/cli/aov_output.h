@@ -15,7 +15,7 @@ namespace utsuri {
 /// Names of the channels a user asked for.
 using AovSelection = std::vector<std::string>;
 
-/// All names of first-hit data, and those of errors of reflections, separated by commas, for help texts.
+/// All names of first-hit data, and those of data of reflections, separated by commas, for help texts.
 std::string aov_names();
 
 /// @throws UsageError that lists the names there are
@@ -36,8 +36,11 @@ struct AovPlanes {
 /// Whether errors of reflections are among what a user asked for: MapSettings::predicts_errors.
 bool wants_reflection_errors(const AovSelection& selection);
 
-/// Adds them; values are -1 where no mirror is seen.
-void add_reflection_errors(AovPlanes& planes, Renderer& renderer, const AovSelection& selection);
+/// Whether how reflections were found is among it: Renderer::traced_pixels().
+bool wants_traced_pixels(const AovSelection& selection);
+
+/// Adds both; values are -1 where no mirror is seen.
+void add_reflection_data(AovPlanes& planes, Renderer& renderer, const AovSelection& selection);
 
 /// Positions are in world space, triangle numbers those of the scene; pixels that hit nothing have depth
 /// infinity and numbers -1.

@@ -208,6 +208,17 @@ void check_options(const RenderOptions& options) {
     check_output(options);
 }
 
+void check_reflection_data(const AovSelection& aovs, const Method& method) {
+    if (wants_reflection_errors(aovs) && !tells_errors(method)) {
+        throw UsageError("tell errors of reflections", method_name(method),
+                         "only methods that look reflections up in maps have them; use another --reflection");
+    }
+    if (wants_traced_pixels(aovs) && !chooses_per_pixel(method)) {
+        throw UsageError("tell which reflections are traced", method_name(method),
+                         "does the same at every mirror; only hybrid chooses: use --reflection hybrid");
+    }
+}
+
 ExitCode render(RenderOptions options, const std::vector<std::string>& given) {
     const auto start = Clock::now();
     const RenderSettings settings = options.picture.render_settings();
@@ -229,10 +240,7 @@ ExitCode render(RenderOptions options, const std::vector<std::string>& given) {
     if (options.choice.wanted()) choice = choose(options, given, input, progress);
     session.device().reset_peak_memory();
     const Method method{parse_light(options.light), parse_reflection(options.reflection)};
-    if (wants_reflection_errors(aovs) && !tells_errors(method)) {
-        throw UsageError("tell errors of reflections", method_name(method),
-                         "only methods that look reflections up in maps have them; use another --reflection");
-    }
+    check_reflection_data(aovs, method);
     MapSettings maps = options.picture.map_settings();
     maps.predicts_errors = wants_reflection_errors(aovs);
     const std::unique_ptr<Renderer> renderer = make_renderer(method, input, settings, maps);
@@ -249,7 +257,7 @@ ExitCode render(RenderOptions options, const std::vector<std::string>& given) {
         const auto info = make_camera_info(camera, data.origin, settings.width, settings.height);
         planes = extract_aovs(render_aovs(session.device(), scene, info, settings.width, settings.height),
                               aovs, data);
-        add_reflection_errors(planes, *renderer, aovs);
+        add_reflection_data(planes, *renderer, aovs);
     }
     write_picture(result, options, planes.channels());
     progress.clear();

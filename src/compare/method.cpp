@@ -103,6 +103,10 @@ bool tells_errors(const Method& method) {
     return uses_maps(method) && method.reflection != ReflectionMethod::planar;
 }
 
+bool chooses_per_pixel(const Method& method) {
+    return method.reflection == ReflectionMethod::hybrid;
+}
+
 std::unique_ptr<Renderer> make_renderer(const Method& method, const RenderInput& input,
                                         const RenderSettings& settings, const MapSettings& maps) {
     if (!uses_maps(method)) {

@@ -52,6 +52,9 @@ bool uses_maps(const Method& method);
 /// Whether a method tells the errors of its reflections: Renderer::predict_errors().
 bool tells_errors(const Method& method);
 
+/// Whether a method looks maps up at some pixels and traces others: Renderer::traced_pixels().
+bool chooses_per_pixel(const Method& method);
+
 /// What a picture is made from. Everything must outlive the renderer.
 struct RenderInput {
     Device& device;

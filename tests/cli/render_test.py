@@ -5,7 +5,7 @@ import math
 import unittest
 
 import picture_file
-from cli_case import SMALL, CliCase
+from cli_case import SMALL, USAGE, CliCase
 
 AOV_CHANNELS = {
     "depth": ["depth.Z"],
@@ -61,6 +61,15 @@ class Render(CliCase):
                      "--aov", "predicted,measured")
         _, _, channels, _ = picture_file.read_exr_header(self.scratch / "picture.exr")
         self.assertEqual(sorted(channels), sorted(["R", "G", "B", *names]))
+
+    def test_traced_pixels(self):
+        self.json_of("render", self.scene("spheres"), "-o", "picture.exr", *SMALL, "--reflection", "hybrid", *MAPS,
+                     "--aov", "traced")
+        _, _, channels, _ = picture_file.read_exr_header(self.scratch / "picture.exr")
+        self.assertEqual(sorted(channels), ["B", "G", "R", "traced.I"])
+        for reflection in ("trace", "proxy-map"):
+            self.fail_with(USAGE, (f"direct/{reflection}", "--reflection hybrid"), "render", self.scene("cornell"),
+                           "-o", "none.exr", *SMALL, *MAPS, "--reflection", reflection, "--aov", "traced")
 
     def test_png(self):
         self.render("picture.png")

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <random>
 #include <string>
 #include <utility>
@@ -145,6 +146,71 @@ class PredictedErrors : public DeviceTest {
         expect_bounds(import_gltf(path).scene);
     }
 };
+
+class TracedPixels : public DeviceTest {
+  protected:
+    struct View {
+        std::vector<float> traced;
+        std::vector<PredictedError> predicted;
+    };
+    static View view(MapKind kind, float tolerance) {
+        const SceneData data = prepare_scene_data(everything_scene());
+        const GpuScene gpu_scene(device(), data);
+        FilledLight light;
+        light.settings = {1.0 / 20.0, 1};
+        MapSettings settings;
+        settings.size = 64;
+        settings.samples = 1;
+        settings.tolerance = tolerance;
+        settings.predicts_errors = true;
+        RenderSettings picture;
+        picture.width = kWidth;
+        picture.height = kHeight;
+        MapRenderer renderer(device(), data, gpu_scene, light, everything_camera(), kind, picture, settings);
+        Progress progress;
+        renderer.prepare(progress);
+        return {renderer.traced_pixels(), renderer.predict_errors()};
+    }
+};
+
+TEST_F(TracedPixels, AreThosePredictedToBeOffByMoreThanTheTolerance) {
+    constexpr float kTolerance = 2.0f;
+    const View seen = view(MapKind::hybrid, kTolerance);
+    ASSERT_EQ(seen.traced.size(), std::size_t{kWidth} * kHeight);
+    std::size_t mirrors = 0;
+    std::size_t traced = 0;
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < seen.traced.size(); ++i) {
+        const PredictedError& predicted = seen.predicted[i];
+        ASSERT_EQ(seen.traced[i] < 0.0f, predicted.pixels < 0.0f) << "pixel " << i;
+        if (predicted.pixels < 0.0f) continue;
+        ++mirrors;
+        traced += seen.traced[i] == 1.0f ? 1 : 0;
+        others += (seen.traced[i] == 1.0f) != (predicted.pixels > kTolerance) ? 1 : 0;
+    }
+    EXPECT_GT(traced, mirrors / 10);
+    EXPECT_LT(traced, mirrors - mirrors / 10);
+    // Two shaders may round the prediction of a pixel apart: by some 2^-20, and predictions are spread over
+    // decades.
+    EXPECT_LE(others, 1u);
+}
+
+TEST_F(TracedPixels, AreAllOrNoneAtTheEndsOfTheTolerance) {
+    for (const auto& [tolerance, expected] :
+         {std::pair{0.0f, 1.0f}, std::pair{std::numeric_limits<float>::infinity(), 0.0f}}) {
+        std::size_t mirrors = 0;
+        for (const float traced : view(MapKind::hybrid, tolerance).traced) {
+            if (traced < 0.0f) continue;
+            ++mirrors;
+            ASSERT_EQ(traced, expected) << "at a tolerance of " << tolerance;
+        }
+        EXPECT_GT(mirrors, 500u);
+    }
+}
+
+TEST_F(TracedPixels, AreNotToldByMethodsThatChooseNothing) {
+    EXPECT_TRUE(view(MapKind::distance, 1.0f).traced.empty());
+}
 
 TEST_F(PredictedErrors, Everything) {
     expect_bounds(everything_scene());

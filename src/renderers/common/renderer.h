@@ -56,6 +56,9 @@ class Renderer {
     /// view, row-major, top row first; empty for methods that tell none. prepare() comes first.
     [[nodiscard]] virtual std::vector<PredictedError> predict_errors() { return {}; }
     [[nodiscard]] virtual std::vector<MeasuredError> measure_errors() { return {}; }
+    /// Whether a ray was followed for the reflection at each pixel's centre, 1, or a map looked up, 0; -1
+    /// where no mirror is seen. Order as above; empty for methods that do the same everywhere.
+    [[nodiscard]] virtual std::vector<float> traced_pixels() { return {}; }
 
     [[nodiscard]] const RenderStatistics& statistics() const { return statistics_; }
 

@@ -7,6 +7,8 @@
 #include "kernels/draw_scene_frag.h"
 #include "kernels/draw_scene_vert.h"
 
+#include <algorithm>
+
 namespace utsuri {
 FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
                          const Bindings& bindings, const ReflectorDrawer* reflectors, std::uint32_t width,
@@ -90,20 +92,40 @@ void FrameDrawer::draw_frame(const DrawSettings& settings) {
                 [&](const vk::raii::CommandBuffer& commands) { record(commands, view_of(settings)); });
 }
 
-Image FrameDrawer::frame() const {
-    Image image(colour_.width(), colour_.height());
-    const std::uint32_t rows = std::min(image.height, rows_per_band(device_, image.width, sizeof(glm::vec4)));
-    const Buffer copied(device_, std::uint64_t{image.width} * rows * sizeof(glm::vec4), "rows of a frame");
-    auto pixel = image.pixels.begin();
-    for (std::uint32_t first = 0; first < image.height; first += rows) {
-        const std::uint32_t count = std::min(rows, image.height - first);
+std::vector<glm::vec4> FrameDrawer::drawn_pixels() const {
+    const std::uint32_t width = colour_.width();
+    const std::uint32_t height = colour_.height();
+    const std::uint32_t rows = std::min(height, rows_per_band(device_, width, sizeof(glm::vec4)));
+    const Buffer copied(device_, std::uint64_t{width} * rows * sizeof(glm::vec4), "rows of a frame");
+    std::vector<glm::vec4> pixels;
+    pixels.reserve(std::size_t{width} * height);
+    for (std::uint32_t first = 0; first < height; first += rows) {
+        const std::uint32_t count = std::min(rows, height - first);
         device_.run("copy a frame", [&](const vk::raii::CommandBuffer& commands) {
             colour_.copy_rows(commands, first, count, copied);
         });
-        for (const glm::vec4& value : copied.download_records<glm::vec4>(std::size_t{image.width} * count))
-            *pixel++ = glm::vec3(value);
+        const auto band = copied.download_records<glm::vec4>(std::size_t{width} * count);
+        pixels.insert(pixels.end(), band.begin(), band.end());
     }
+    return pixels;
+}
+
+Image FrameDrawer::frame() const {
+    Image image(colour_.width(), colour_.height());
+    const std::vector<glm::vec4> pixels = drawn_pixels();
+    std::transform(pixels.begin(), pixels.end(), image.pixels.begin(),
+                   [](const glm::vec4& pixel) { return glm::vec3(pixel); });
     return image;
+}
+
+std::vector<float> FrameDrawer::traced_pixels() const {
+    const std::vector<glm::vec4> pixels = drawn_pixels();
+    std::vector<float> traced(pixels.size());
+    std::transform(pixels.begin(), pixels.end(), traced.begin(), [](const glm::vec4& pixel) {
+        if (pixel.w == interop::DRAWN_PLAIN) return -1.0f;
+        return pixel.w > interop::DRAWN_LOOKED_UP ? 1.0f : 0.0f;
+    });
+    return traced;
 }
 
 FrameCounts FrameDrawer::add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,

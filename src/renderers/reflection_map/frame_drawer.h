@@ -14,7 +14,10 @@
 
 #include "interop/raster.h"
 
+#include <glm/vec4.hpp>
+
 #include <array>
+#include <vector>
 
 namespace utsuri {
 
@@ -42,6 +45,8 @@ class FrameDrawer {
     /// Draws one picture, a sample at the centre of each pixel, and leaves it for frame().
     void draw_frame(const DrawSettings& settings);
     [[nodiscard]] Image frame() const;
+    /// How the reflections of that picture were found: Renderer::traced_pixels().
+    [[nodiscard]] std::vector<float> traced_pixels() const;
 
     FrameCounts add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,
                             Progress& progress);
@@ -59,6 +64,8 @@ class FrameDrawer {
                 const Specialization& specialization, const Bindings& bindings,
                 const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height);
     [[nodiscard]] interop::RasterPush view_of(const DrawSettings& settings) const;
+    /// The four channels of the picture that was drawn last, row-major, top row first.
+    [[nodiscard]] std::vector<glm::vec4> drawn_pixels() const;
     void record(const vk::raii::CommandBuffer& commands, const interop::RasterPush& view) const;
     [[nodiscard]] Bindings with_draw_list(Bindings bindings) const;
     std::vector<Batch> make_batches(const std::vector<DrawBatch>& planned,

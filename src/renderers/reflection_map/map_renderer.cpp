@@ -128,14 +128,24 @@ PredictionDrawer MapRenderer::make_prediction_drawer() {
                             drawing_bindings(), *reflectors_, settings_.width, settings_.height);
 }
 
+float MapRenderer::searching_tolerance() const {
+    return kind_ == MapKind::hybrid ? map_settings_.tolerance : 0.0f;
+}
+
 std::vector<PredictedError> MapRenderer::predict_errors() {
     if (!reflectors_) return no_mirrors<PredictedError>(settings_);
-    return make_prediction_drawer().predict(camera_info());
+    return make_prediction_drawer().predict(camera_info(), searching_tolerance());
 }
 
 std::vector<MeasuredError> MapRenderer::measure_errors() {
     if (!reflectors_) return no_mirrors<MeasuredError>(settings_);
-    return make_prediction_drawer().measure(camera_info());
+    return make_prediction_drawer().measure(camera_info(), searching_tolerance());
+}
+
+std::vector<float> MapRenderer::traced_pixels() {
+    if (kind_ != MapKind::hybrid) return {};
+    draw_frame();
+    return drawer_.traced_pixels();
 }
 
 }  // namespace utsuri

@@ -36,6 +36,8 @@ class MapRenderer : public Renderer {
     /// Needs MapSettings::predicts_errors, where the kind of map keeps no distances.
     [[nodiscard]] std::vector<PredictedError> predict_errors() override;
     [[nodiscard]] std::vector<MeasuredError> measure_errors() override;
+    /// Of MapKind::hybrid only. Draws the present view: frame() is it afterwards.
+    [[nodiscard]] std::vector<float> traced_pixels() override;
 
     [[nodiscard]] const ReflectionMaps& maps() const { return maps_; }
     [[nodiscard]] const RoughMaps& rough_maps() const { return rough_maps_; }
@@ -53,6 +55,8 @@ class MapRenderer : public Renderer {
     [[nodiscard]] Specialization drawing_specialization() const;
     [[nodiscard]] interop::CameraInfo camera_info() const;
     [[nodiscard]] PredictionDrawer make_prediction_drawer();
+    /// Up to what prediction no search is made, in pixels.
+    [[nodiscard]] float searching_tolerance() const;
 
     Device& device_;
     const SceneData& data_;

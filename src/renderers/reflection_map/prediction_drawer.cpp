@@ -82,11 +82,13 @@ PredictionDrawer::Stage PredictionDrawer::make_stage(const char* name,
     return {std::move(pipeline), std::move(set)};
 }
 
-std::vector<glm::vec4> PredictionDrawer::draw(const Stage& stage, const interop::CameraInfo& camera) {
+std::vector<glm::vec4> PredictionDrawer::draw(const Stage& stage, const interop::CameraInfo& camera,
+                                              float tolerance) {
     interop::RasterPush push{};
     push.camera = camera;
     push.jitter = {0.5f, 0.5f};
     push.near_plane = near_plane_;
+    push.tolerance = tolerance;
     push.pixel = 1.0f / glm::vec2(colour_.width(), colour_.height());
     std::vector<glm::vec4> pixels;
     pixels.reserve(std::size_t{colour_.width()} * colour_.height());
@@ -107,12 +109,12 @@ std::vector<glm::vec4> PredictionDrawer::draw(const Stage& stage, const interop:
     return pixels;
 }
 
-std::vector<PredictedError> PredictionDrawer::predict(const interop::CameraInfo& camera) {
-    return records_of<PredictedError>(draw(predict_, camera));
+std::vector<PredictedError> PredictionDrawer::predict(const interop::CameraInfo& camera, float tolerance) {
+    return records_of<PredictedError>(draw(predict_, camera, tolerance));
 }
 
-std::vector<MeasuredError> PredictionDrawer::measure(const interop::CameraInfo& camera) {
-    return records_of<MeasuredError>(draw(measure_, camera));
+std::vector<MeasuredError> PredictionDrawer::measure(const interop::CameraInfo& camera, float tolerance) {
+    return records_of<MeasuredError>(draw(measure_, camera, tolerance));
 }
 
 }  // namespace utsuri

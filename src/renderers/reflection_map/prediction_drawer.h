@@ -28,8 +28,9 @@ class PredictionDrawer {
                      const ReflectorDrawer& reflectors, std::uint32_t width, std::uint32_t height);
 
     /// Row-major, top row first.
-    [[nodiscard]] std::vector<PredictedError> predict(const interop::CameraInfo& camera);
-    [[nodiscard]] std::vector<MeasuredError> measure(const interop::CameraInfo& camera);
+    /// @param tolerance of MapKind::hybrid, which searches no farther where it is met; else 0
+    [[nodiscard]] std::vector<PredictedError> predict(const interop::CameraInfo& camera, float tolerance);
+    [[nodiscard]] std::vector<MeasuredError> measure(const interop::CameraInfo& camera, float tolerance);
 
   private:
     struct Stage {
@@ -38,7 +39,8 @@ class PredictionDrawer {
     };
     [[nodiscard]] Stage make_stage(const char* name, std::span<const std::uint32_t> fragment,
                                    const Specialization& specialization, Bindings bindings) const;
-    [[nodiscard]] std::vector<glm::vec4> draw(const Stage& stage, const interop::CameraInfo& camera);
+    [[nodiscard]] std::vector<glm::vec4> draw(const Stage& stage, const interop::CameraInfo& camera,
+                                              float tolerance);
 
     Device& device_;
     float near_plane_;
