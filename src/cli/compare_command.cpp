@@ -29,6 +29,7 @@ struct CompareOptions {
     std::uint32_t samples = 16;
     std::uint32_t reference_samples = 96;
     std::optional<double> fail_above;
+    bool predictions = false;
 };
 
 std::vector<Method> wanted_methods(const CompareOptions& options) {
@@ -62,6 +63,7 @@ ExitCode compare(const CompareOptions& options, const std::string& command_line)
     settings.samples = options.samples;
     settings.reference_samples = options.reference_samples + options.reference_samples % 2;
     settings.exposure = options.picture.exposure;
+    settings.predictions = options.predictions;
     const std::filesystem::path scene_path(options.scene);
     const std::filesystem::path folder =
         options.folder.empty() ? "compare-" + scene_path.stem().string() : options.folder;
@@ -125,6 +127,10 @@ void add_compare_command(CLI::App& app, const std::string& command_line, Action&
         ->add_option("--fail-above", options->fail_above,
                      "Exit with 1 if the relMSE of a method is above this")
         ->check(finite_range(0.0, std::numeric_limits<double>::max()));
+    command->add_flag(
+        "--predictions", options->predictions,
+        "Tell by how many pixels reflections are predicted to be off their places, by how many "
+        "rays measure that they are, and where hybrid traces; found after the methods are timed");
     add_picture_options(*command, options->picture);
     add_common_options(*command, options->common);
     command->callback([=, &action] { action = [=] { return compare(*options, command_line); }; });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compare/method.h"
+#include "compare/reflection_errors.h"
 
 #include "base/error.h"
 #include "gpu/device_selection.h"
@@ -37,10 +38,12 @@ struct MethodResult {
     Plane flip;                  ///< per-pixel FLIP against the reference
     std::string error_map_file;  ///< name of the .png
     Metrics metrics;
-    Metrics metrics_reflective;  ///< over pixels whose first hit is reflective
+    Metrics metrics_reflective;                         ///< over pixels whose first hit is reflective
+    std::optional<ReflectionErrors> reflection_errors;  ///< where asked for, and the method tells them
 };
 
-/// A method that could not be carried out here: its maps are too large for the device, say.
+/// A method, or its predictions, that could not be carried out here: its maps are too large for the device,
+/// say.
 struct MethodFailure {
     Method method;
     std::string message;
@@ -67,7 +70,7 @@ struct Comparison {
     /// Mean of every other sample of the reference; see Film::resolve_half().
     Image reference_half;
     std::vector<MethodResult> methods;
-    std::vector<MethodFailure> failures;  ///< the methods that are missing for a reason
+    std::vector<MethodFailure> failures;  ///< what is missing for a reason
     Mask reflective;
     std::uint64_t reflective_pixels = 0;
     std::vector<std::string> notes;  ///< what was ignored, dropped or added on the way in

@@ -16,6 +16,26 @@ Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+Json displacements_to_json(const DisplacementSummary& summary) {
+    return {{"median", number(summary.median)}, {"p95", number(summary.p95)}};
+}
+
+Json reflection_errors_to_json(const ReflectionErrors& errors) {
+    const ReflectionErrorSummary summary = summarise(errors);
+    Json predicted = displacements_to_json(summary.predicted);
+    predicted["image"] = errors.predicted_file;
+    Json measured = displacements_to_json(summary.measured);
+    measured["image"] = errors.measured_file;
+    Json json = {{"pixels", summary.pixels},
+                 {"seconds", errors.seconds},
+                 {"predicted", std::move(predicted)},
+                 {"measured", std::move(measured)},
+                 {"exceeded", summary.exceeded}};
+    if (!errors.traced.values.empty())
+        json["traced"] = {{"pixels", summary.traced}, {"image", errors.traced_file}};
+    return json;
+}
+
 Json settings_to_json(const MethodResult& result) {
     Json json = {{"samples", result.samples}};
     if (result.maps) {
@@ -76,6 +96,8 @@ Json comparison_to_json(const Comparison& comparison) {
         json["error_map"] = result.error_map_file;
         json["metrics"] = metrics_to_json(result.metrics);
         json["metrics_reflective"] = metrics_to_json(result.metrics_reflective);
+        if (result.reflection_errors)
+            json["reflection_errors"] = reflection_errors_to_json(*result.reflection_errors);
         methods.push_back(std::move(json));
     }
     Json failed = Json::array();

@@ -53,6 +53,31 @@ std::string cost_row(const std::string& name, const MethodResult& result) {
                        fmt::format("{:.3g} %", 100.0 * result.traced_fraction), result.nonfinite);
 }
 
+std::string format_displacement(double pixels) {
+    return std::isinf(pixels) ? "unknown" : three_digits(pixels);
+}
+
+constexpr const char* kDisplacementRow = "{:<20}{:>18}{:>15}{:>17}{:>14}{:>12}{:>12}\n";
+
+std::string displacement_rows(const Comparison& comparison) {
+    std::string rows;
+    for (const MethodResult& result : comparison.methods) {
+        if (!result.reflection_errors) continue;
+        const ReflectionErrorSummary summary = summarise(*result.reflection_errors);
+        rows += fmt::format(
+            kDisplacementRow, method_name(result.method), format_displacement(summary.predicted.median),
+            format_displacement(summary.predicted.p95), format_displacement(summary.measured.median),
+            format_displacement(summary.measured.p95), fmt::format("{:.3g} %", 100.0 * summary.exceeded),
+            format_seconds(result.reflection_errors->seconds));
+    }
+    if (rows.empty()) return rows;
+    return "\nby how many pixels what mirrors show is off its place; 95 of 100 mirror pixels are within "
+           "p95\n" +
+           fmt::format(kDisplacementRow, "", "predicted median", "predicted p95", "measured median",
+                       "measured p95", "exceeded", "found in") +
+           rows;
+}
+
 }  // namespace
 
 std::string format_seconds(double seconds) {
@@ -92,6 +117,7 @@ std::string comparison_table(const Comparison& comparison) {
     if (comparison.reflective_pixels > 0) {
         text += metric_rows(comparison, "error, reflective pixels", &MethodResult::metrics_reflective);
     }
+    text += displacement_rows(comparison);
     if (std::isnan(comparison.reference_noise)) {
         text += "\nThe reference's own noise was not estimated: that takes an even number of samples.\n";
     } else {
@@ -101,7 +127,7 @@ std::string comparison_table(const Comparison& comparison) {
             comparison.reference_noise_mse, 100.0 * comparison.reference_noise);
     }
     for (const MethodFailure& failure : comparison.failures)
-        text += fmt::format("\n{} is missing: {}\n", method_name(failure.method), failure.message);
+        text += fmt::format("\n{} failed: {}\n", method_name(failure.method), failure.message);
     return text;
 }
 

@@ -4,7 +4,7 @@
 set(UTSURI_PAGE_PARTS
     kPageStyle page.css kPageScript page.js
     kReportTemplate report_template.html kReportStyle report.css kReportViewer report_viewer.js
-    kReportScript report.js
+    kReportMaps report_maps.js kReportScript report.js
     kTradeTemplate trade_template.html kTradeStyle trade.css kTradeChart trade_chart.js kTradeScript trade.js)
 
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)

@@ -135,36 +135,74 @@ function fillErrorTable() {
     byId("error-notes").append(...notes.map((note) => make("li", {}, note)));
 }
 
-// ---- pictures ----
-const pictures = results.map((result, index) => ({
-    name: index === 0 ? "reference" : result.name,
-    image: index === 0 ? data.pictures.reference : data.pictures.methods[index - 1].image,
-    errorMap: index === 0 ? null : data.pictures.methods[index - 1].error_map,
-    result,
-}));
+const displacementColumns = [
+    { title: "predicted", unit: "median, px", best: "least", value: (e) => e.predicted.median },
+    { title: "predicted", unit: "p95, px", best: "least", value: (e) => e.predicted.p95 },
+    { title: "measured", unit: "median, px", best: "least", value: (e) => e.measured.median },
+    { title: "measured", unit: "p95, px", best: "least", value: (e) => e.measured.p95 },
+    { title: "exceeded", unit: "% of pixels", format: significant, value: (e) => 100 * e.exceeded },
+    { title: "found in", unit: "s", format: significant, value: (e) => e.seconds },
+];
 
-function scale() {
-    const alt = "Colours of the errors from 0 to 1";
-    return [
-        make("img", { className: "scale", src: data.pictures.error_scale, alt }),
-        make("div", { className: "ends", ariaHidden: "true" }, make("span", {}, "0"), make("span", {}, "1")),
-    ];
+function fillDisplacementTable() {
+    const told = data.methods.filter((method) => method.reflection_errors !== undefined);
+    byId("displacement-section").hidden = told.length === 0;
+    if (told.length === 0) return;
+    const columns = displacementColumns.map((c) => ({ format: displacementText, ...c }));
+    const best = columns.map((c) => bestOf(c, told.map((m) => c.value(m.reflection_errors))));
+    const rows = told.map((method) => make("tr", { className: "method" }, rowHead(method.name),
+        ...columns.map((c, i) => cell(c, c.value(method.reflection_errors), best[i]))));
+    byId("displacement").append(headRow(columns, "Method"), make("tbody", {}, ...rows));
+    const notes = [
+        `Of the ${whole(told[0].reflection_errors.pixels)} pixels that show a mirror at their centre. p95: 95 of 100 ` +
+            `are off by no more; ${missing} more than can be told.`,
+        "Exceeded: pixels that are off by more than predicted.",
+        "Found in: the time that predicting and measuring took, apart from all times above."];
+    const others = data.methods.filter((method) => method.reflection_errors === undefined).map(({ name }) => name);
+    if (others.length > 0) notes.push(`Tells no prediction: ${others.join(", ")}.`);
+    byId("displacement-notes").append(...notes.map((note) => make("li", {}, note)));
 }
 
-function card({ name, image, errorMap, result }) {
+// ---- pictures ----
+const maps = reportMaps(data).map((map) => ({
+    ...map, results: data.methods.filter((result, index) => map.has(result) && data.pictures.methods[index][map.key]),
+})).filter((map) => map.results.length > 0);
+const picturesOf = (result) => data.pictures.methods[data.methods.indexOf(result)];
+const isReference = (result) => result === data.reference;
+const imageOf = (result) => (isReference(result) ? data.pictures.reference : picturesOf(result).image);
+const nameOf = (result) => (isReference(result) ? "reference" : result.name);
+
+function mapFigure(result, map) {
+    if (!map.results.includes(result)) {
+        return make("figure", { className: "none" }, `Tells no ${map.title}.`);
+    }
+    const alt = `Map: ${map.title} of ${result.name}`;
+    return make("figure", {}, make("img", { src: picturesOf(result)[map.key], alt }), ...map.legend.make(),
+                make("figcaption", {}, map.caption(result)));
+}
+
+function card(result, map) {
     const time = `${quantity(result.frame_seconds, "seconds")}, ${whole(result.settings.samples)} samples`;
-    const parts = [make("h3", {}, name)];
-    if (image) {
-        parts.push(make("figure", {}, make("img", { src: image, alt: `Picture by ${name}` }),
+    const parts = [make("h3", {}, nameOf(result))];
+    if (imageOf(result)) {
+        parts.push(make("figure", {}, make("img", { src: imageOf(result), alt: `Picture by ${nameOf(result)}` }),
                         make("figcaption", {}, time)));
     }
-    if (errorMap) {
-        const flip = result.metrics.flip;
-        const text = flip === null ? "FLIP not measured" : `FLIP ${flip.toFixed(4)} on average`;
-        parts.push(make("figure", {}, make("img", { src: errorMap, alt: `Map of the FLIP error of ${name}` }),
-                        ...scale(), make("figcaption", {}, text)));
-    }
+    if (map && !isReference(result)) parts.push(mapFigure(result, map));
     return make("article", {}, ...parts);
+}
+
+function fillPictures() {
+    const choice = byId("map-choice");
+    byId("map-controls").hidden = maps.length < 2;
+    choice.append(...maps.map((map) => new Option(map.title)));
+    const fill = () => {
+        const map = maps[choice.selectedIndex];
+        byId("map-lead").textContent = map?.lead ?? "";
+        byId("pictures").replaceChildren(...results.map((result) => card(result, map)));
+    };
+    choice.addEventListener("change", fill);
+    fill();
 }
 
 // ---- facts ----
@@ -196,20 +234,21 @@ function fillFacts() {
 }
 
 function viewerPictures() {
-    const shown = pictures.filter((p) => p.image).map((p, index) => ({
-        name: p.name, image: p.image, alt: `Picture by ${p.name}`,
-        isApproximate: index > 0 && p.result.reflection !== "trace",
+    const shown = results.filter(imageOf).map((result) => ({
+        name: nameOf(result), image: imageOf(result), alt: `Picture by ${nameOf(result)}`, group: "picture",
+        isApproximate: !isReference(result) && result.reflection !== "trace",
     }));
-    const maps = pictures.filter((p) => p.errorMap).map((p) => ({
-        name: `FLIP error of ${p.name}`, image: p.errorMap, alt: `Map of the FLIP error of ${p.name}`,
-    }));
-    return [...shown, ...maps];
+    return [...shown, ...maps.flatMap((map) => map.results.map((result) => ({
+        name: `${map.of} ${result.name}`, image: picturesOf(result)[map.key], group: map.title,
+        alt: `Map: ${map.title} of ${result.name}`, legend: map.legend,
+    })))];
 }
 
 fillFacts();
-byId("pictures").append(...pictures.map(card));
+fillPictures();
 fillCostTable();
 fillErrorTable();
+fillDisplacementTable();
 byId("copy").addEventListener("click", () => copyText(byId("copy"), byId("command")));
 startViewer(viewerPictures(), data.width, data.height)
     .then(() => { document.documentElement.dataset.ready = "true"; });

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 "use strict";
 
-/// Two of `pictures`, each {name, image, alt, isApproximate}, under one divider, zoomed and moved together.
+/// Two of `pictures`, each {name, image, alt, isApproximate, group, legend}, under one divider, zoomed and moved
+/// together. They are chosen by group; those with a `legend`, {title, make}, show what it makes.
 /// `width` and `height` are theirs in pixels. The address may say how to start, for example
 /// #divider=25&zoom=4&left=reference
 /// @return a promise that is kept once both pictures can be seen
@@ -52,10 +53,18 @@ function startViewer(pictures, width, height) {
         side.tag.textContent = picture.name;
         side.image.alt = picture.alt;
         side.image.src = picture.image;
+        showLegends();
         await side.image.decode();
         side.image.dataset.naturalWidth = side.image.naturalWidth;
         side.image.dataset.naturalHeight = side.image.naturalHeight;
         draw();
+    }
+
+    /// Each legend once, in the order of the sides.
+    function showLegends() {
+        const legends = new Set(sides.map(({ choice }) => pictures[choice.selectedIndex].legend).filter(Boolean));
+        byId("legend").replaceChildren(...[...legends].map(({ title, make: makeParts }) =>
+            make("div", {}, make("h3", {}, title), ...makeParts())));
     }
 
     function position(event) {
@@ -122,7 +131,10 @@ function startViewer(pictures, width, height) {
     stage.style.aspectRatio = `${width} / ${height}`;
     byId("viewer").style.maxWidth = `min(${widestScale * width}px, ${100 * tallest * width / height}vh)`;
     for (const side of sides) {
-        side.choice.append(...pictures.map((picture) => new Option(picture.name)));
+        for (const group of new Set(pictures.map((picture) => picture.group))) {
+            const options = pictures.filter((picture) => picture.group === group).map(({ name }) => new Option(name));
+            side.choice.append(make("optgroup", { label: group }, ...options));
+        }
         side.choice.addEventListener("change", () => show(side));
         side.frame.append(side.image);
     }

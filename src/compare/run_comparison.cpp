@@ -46,6 +46,30 @@ Rendered render(const RenderInput& input, const Method& method, const RenderSett
     return rendered;
 }
 
+/// After all methods have been timed, so that drivers do not know a method's pipelines from predictions.
+void add_reflection_errors(Comparison& comparison, const RenderInput& input,
+                           const ComparisonSettings& settings, Progress& progress) {
+    for (MethodResult& result : comparison.methods) {
+        if (progress.cancelled()) return;
+        if (!tells_errors(result.method)) continue;
+        progress.begin(fmt::format("{}, predicting errors", method_name(result.method)));
+        try {
+            ReflectionErrors errors =
+                find_reflection_errors(result.method, input, settings.render, settings.maps, progress);
+            const std::string stem = file_stem(result.method);
+            errors.predicted_file = stem + "_predicted.png";
+            errors.measured_file = stem + "_measured.png";
+            if (!errors.traced.values.empty()) errors.traced_file = stem + "_traced.png";
+            result.reflection_errors = std::move(errors);
+        } catch (const Interrupted&) {
+            return;
+        } catch (const Error& error) {
+            comparison.failures.push_back(
+                {result.method, fmt::format("predictions: {}", error.what()), error.exit_code()});
+        }
+    }
+}
+
 }  // namespace
 
 Comparison run_comparison(const RenderInput& input, const ComparisonSettings& settings, Progress& progress) {
@@ -98,6 +122,7 @@ Comparison run_comparison(const RenderInput& input, const ComparisonSettings& se
             comparison.failures.push_back({method, error.what(), error.exit_code()});
         }
     }
+    if (settings.predictions) add_reflection_errors(comparison, input, settings, progress);
     comparison.interrupted = progress.cancelled();
     return comparison;
 }

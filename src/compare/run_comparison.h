@@ -15,6 +15,7 @@ struct ComparisonSettings {
     std::uint32_t reference_samples = 128;  ///< even, so that the reference's noise can be told
     MapSettings maps;
     std::optional<double> exposure;  ///< stops; found from the reference if not set
+    bool predictions = false;        ///< find MethodResult::reflection_errors
 };
 
 /// Renders reference and methods, and measures. Stops early if progress says so, with what was finished. A

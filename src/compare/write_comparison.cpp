@@ -2,6 +2,7 @@
 #include "compare/write_comparison.h"
 
 #include "compare/comparison_json.h"
+#include "compare/reflection_pictures.h"
 #include "compare/report.h"
 
 #include "base/file.h"
@@ -26,6 +27,12 @@ void write_pictures(const MethodResult& result, const Comparison& comparison,
     write_png(std::filesystem::path(exr).replace_extension(".png"), result.image, comparison.exposure);
     if (!result.error_map_file.empty())
         write_png_coded(folder / result.error_map_file, error_map(result.flip));
+    if (!result.reflection_errors) return;
+    const ReflectionErrors& errors = *result.reflection_errors;
+    write_png_coded(folder / errors.predicted_file, displacement_picture(errors.predicted));
+    write_png_coded(folder / errors.measured_file, displacement_picture(errors.measured));
+    if (!errors.traced_file.empty())
+        write_png_coded(folder / errors.traced_file, traced_picture(errors.traced));
 }
 
 }  // namespace

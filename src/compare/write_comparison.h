@@ -7,7 +7,8 @@
 
 namespace utsuri {
 
-/// Writes pictures (.exr, .png), error maps (.png), compare.json and report.html into a folder that exists.
+/// Writes pictures (.exr, .png), error maps and those of predictions (.png), compare.json and report.html
+/// into a folder that exists.
 /// @throws InputError naming what cannot be written
 void write_comparison(const Comparison& comparison, const std::filesystem::path& folder);
 

@@ -49,6 +49,25 @@ glm::vec3 path_colour(float position, const XyzSpace& xyz) {
     return srgb_encode(glm::clamp(linear, glm::vec3(0.0f), glm::vec3(1.0f)));
 }
 
+/// The scale, made once a map.
+class ColourTable {
+  public:
+    ColourTable() {
+        const XyzSpace xyz;
+        for (std::size_t i = 0; i < kTableSize; ++i)
+            table_[i] = path_colour(static_cast<float>(i) / static_cast<float>(kTableSize - 1), xyz);
+    }
+
+    [[nodiscard]] glm::vec3 at(float fraction) const {
+        if (std::isnan(fraction)) return kNotANumberColour;
+        const float place = std::clamp(fraction, 0.0f, 1.0f) * static_cast<float>(kTableSize - 1);
+        return table_[static_cast<std::size_t>(std::lround(place))];
+    }
+
+  private:
+    std::array<glm::vec3, kTableSize> table_;
+};
+
 }  // namespace
 
 glm::vec3 error_colour(float fraction) {
@@ -57,16 +76,21 @@ glm::vec3 error_colour(float fraction) {
 
 Image error_map(const Plane& errors, float maximum) {
     UTSURI_CHECK_LT(0.0f, maximum);
-    const XyzSpace xyz;
-    std::array<glm::vec3, kTableSize> table;
-    for (std::size_t i = 0; i < kTableSize; ++i) {
-        table[i] = path_colour(static_cast<float>(i) / static_cast<float>(kTableSize - 1), xyz);
-    }
+    const ColourTable colours;
+    Image display(errors.width, errors.height);
+    std::transform(errors.values.begin(), errors.values.end(), display.pixels.begin(),
+                   [&](float error) { return colours.at(error / maximum); });
+    return display;
+}
+
+Image log_error_map(const Plane& errors, float least, float most) {
+    UTSURI_CHECK_LT(0.0f, least);
+    UTSURI_CHECK_LT(least, most);
+    const ColourTable colours;
     Image display(errors.width, errors.height);
     std::transform(errors.values.begin(), errors.values.end(), display.pixels.begin(), [&](float error) {
-        if (std::isnan(error)) return kNotANumberColour;
-        const float fraction = std::clamp(error / maximum, 0.0f, 1.0f);
-        return table[static_cast<std::size_t>(std::lround(fraction * static_cast<float>(kTableSize - 1)))];
+        if (error < 0.0f) return kLeftOutColour;
+        return colours.at(error <= least ? 0.0f : std::log(error / least) / std::log(most / least));
     });
     return display;
 }

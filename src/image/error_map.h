@@ -18,6 +18,14 @@ namespace utsuri {
 /// does not have. The result is display coded, ready to be written as a PNG without exposure or sRGB coding.
 [[nodiscard]] Image error_map(const Plane& errors, float maximum = 1.0f);
 
+/// The colour of pixels that a map leaves out, display coded: a dark grey. All of the scale but its ends has
+/// a hue.
+inline constexpr glm::vec3 kLeftOutColour{0.22f};
+
+/// Each value as error_colour on a logarithmic scale: up to `least` (> 0) black, from `most` (> least) the
+/// lightest. Negative values are left out; not-a-number as above. Display coded.
+[[nodiscard]] Image log_error_map(const Plane& errors, float least, float most);
+
 /// Per pixel the mean over the channels of |d| / (|reference| + epsilon) with both pictures normalised as by
 /// MetricSettings, so that its mean over the frame is Metrics::mape. Not-a-number where either is not finite.
 /// @throws InputError if the sizes differ.

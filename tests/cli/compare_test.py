@@ -24,6 +24,8 @@ def named_files(values):
     for result in [values["reference"], *values["methods"]]:
         names |= {result["image"], str(pathlib.Path(result["image"]).with_suffix(".png"))}
         names |= {result["error_map"]} if "error_map" in result else set()
+        errors = result.get("reflection_errors", {})
+        names |= {errors[kind]["image"] for kind in ("predicted", "measured", "traced") if kind in errors}
     return names
 
 
@@ -190,6 +192,29 @@ class CompareOthers(Compare):
         self.assertEqual([result["name"] for result in values["methods"]], ["direct/trace"])
         self.assertEqual([failure["name"] for failure in values["failed"]], ["direct/polygon-map"])
         self.assertFalse(values["interrupted"])
+
+    def test_predictions(self):
+        methods = ("--methods", "trace,polygon-map,planar,hybrid")
+        plain = self.compare("spheres", *methods)
+        values = self.compare("spheres", *methods, "--predictions")
+        self.assertEqual({path.name for path in (self.scratch / "report").iterdir()}, named_files(values))
+        trace, polygon_map, planar, hybrid = values["methods"]
+        self.assertNotIn("reflection_errors", trace)
+        self.assertNotIn("reflection_errors", planar)
+        errors = polygon_map["reflection_errors"]
+        self.assertNotIn("traced", errors)
+        # Where an object begins, centres of pixels and samples beside them differ.
+        self.assertAlmostEqual(errors["pixels"], values["reflective_pixels"], delta=0.1 * values["reflective_pixels"])
+        self.assertLess(errors["measured"]["median"], errors["predicted"]["median"])
+        self.assertLess(errors["exceeded"], 0.01)
+        chosen = hybrid["reflection_errors"]
+        self.assertTrue(0 < chosen["traced"]["pixels"] < chosen["pixels"])
+        self.assertLessEqual(chosen["predicted"]["p95"], hybrid["settings"]["tolerance"])
+        # What predictions take is no part of what the methods take.
+        for with_them, without in zip(values["methods"], plain["methods"]):
+            for name in ("rays", "prepare_rays", "peak_bytes", "metrics"):
+                self.assertEqual(with_them[name], without[name], name)
+            self.assertNotIn("reflection_errors", without)
 
     def test_odd_reference_becomes_even(self):
         values = self.compare("cornell", "--methods", "trace", reference_samples=3)

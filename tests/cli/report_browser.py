@@ -63,6 +63,25 @@ function run() {
     act("left-choice", new Event("change"));
     results.tag = document.getElementById("left-tag").textContent;
     results.name = choice.selectedOptions[0].textContent;
+    results.groups = [...choice.querySelectorAll("optgroup")].map((group) => [group.label, group.children.length]);
+    results.legends = [];
+    for (const group of choice.querySelectorAll("optgroup")) {
+        choice.value = group.children[0].value;
+        act("left-choice", new Event("change"));
+        results.legends.push([...document.querySelectorAll("#legend h3")].map((title) => title.textContent));
+    }
+    const maps = document.getElementById("map-choice");
+    results.maps = [...maps.options].map((option, index) => {
+        maps.selectedIndex = index;
+        act("map-choice", new Event("change"));
+        const inside = (selector) => [...document.querySelectorAll("#pictures " + selector)];
+        return { title: option.textContent, images: inside("img:not(.scale)").map((image) => image.src),
+                 ticks: [...new Set(inside(".ticks span").map((tick) => tick.textContent))],
+                 swatches: [...new Set(inside(".swatches > span").map((swatch) => swatch.textContent))],
+                 captions: inside("figcaption").length };
+    });
+    results.displacement = [...document.querySelectorAll("#displacement tbody tr")].map(
+        (row) => [...row.children].map((cell) => cell.textContent));
     document.documentElement.dataset.results = JSON.stringify(results);
 }
 run();
@@ -73,6 +92,17 @@ def view(divider, level, x, y, zoom):
     transform = f"translate({x}%, {y}%) scale({zoom})"
     return [str(divider), level, transform, transform]
 
+
+# What can be chosen: its name in the page, its key in the data, ticks and swatches of its legend.
+PIXEL_TICKS = ["≤ 0.1", "1", "10", "≥ 100 px"]
+MAPS = [
+    ("FLIP error", "error_map", ["0", "1"], []),
+    ("predicted error", "predicted", PIXEL_TICKS, ["no mirror"]),
+    ("measured error", "measured", PIXEL_TICKS, ["no mirror"]),
+    ("traced pixels", "traced", [], ["traced", "looked up", "no mirror"]),
+]
+DISPLACEMENTS = "Reflections off their places, in pixels"
+LEGENDS = [[], ["FLIP error"], [DISPLACEMENTS], [DISPLACEMENTS], ["Reflections"]]
 
 # Zooming at the corner (1, 1) by z puts the start of the picture at 1 - z sizes of the stage.
 RESULTS = {
@@ -177,7 +207,30 @@ def rounded(results):
     return [number.sub(lambda found: f"{round(float(found[0]))}", text) for text in results]
 
 
-def check_actions(browser, source, checks):
+def told_maps(data):
+    """The rows of MAPS that a method of the comparison tells, each with the pictures of those that do."""
+    methods = data["pictures"]["methods"]
+    told = [(row, [pictures[row[1]] for pictures in methods if pictures.get(row[1])]) for row in MAPS]
+    return [(row, pictures) for row, pictures in told if pictures]
+
+
+def check_maps(results, data, checks):
+    plain = [data["pictures"]["reference"], *(pictures["image"] for pictures in data["pictures"]["methods"])]
+    told = told_maps(data)
+    checks.equal("groups of pictures", results["groups"],
+                 [["picture", len(plain)], *([row[0], len(pictures)] for row, pictures in told)])
+    checks.equal("legends", results["legends"], [LEGENDS[0], *(LEGENDS[1 + MAPS.index(row)] for row, _ in told)])
+    checks.equal("choices beneath methods", [shown["title"] for shown in results["maps"]], [row[0] for row, _ in told])
+    for shown, ((title, key, ticks, swatches), pictures) in zip(results["maps"], told):
+        checks.equal(f"{title}: pictures", sorted(shown["images"]), sorted(plain + pictures))
+        checks.equal(f"{title}: ticks", [text.replace("\u202f", " ") for text in shown["ticks"]], ticks)
+        checks.equal(f"{title}: swatches", shown["swatches"], swatches)
+        checks.equal(f"{title}: captions", shown["captions"], len(plain) + len(pictures))
+    names = [method["name"] for method in data["methods"] if "reflection_errors" in method]
+    checks.equal("methods in the table of displacements", [row[0] for row in results["displacement"]], names)
+
+
+def check_actions(browser, source, data, checks):
     with tempfile.TemporaryDirectory(prefix="utsuri_report_") as folder:
         copy = pathlib.Path(folder) / "report.html"
         copy.write_text(source.replace("</body>", ACTIONS + "</body>"), encoding="utf-8")
@@ -187,6 +240,7 @@ def check_actions(browser, source, checks):
     for name, expected in RESULTS.items():
         checks.equal(f"after '{name}'", rounded(results.get(name, [])), expected)
     checks.equal("label of the left picture after a choice", results.get("tag", ""), results.get("name"))
+    check_maps(results, data, checks)
 
 
 def main():
@@ -212,7 +266,7 @@ def main():
         dom, log = browse(browser, f"{url}#divider={divider}", "--dump-dom")
         check_page(Page(dom), data, divider, checks)
         checks.equal("messages on the console", [line for line in log.splitlines() if "CONSOLE" in line], [])
-    check_actions(browser, source, checks)
+    check_actions(browser, source, data, checks)
     if options.screenshot:
         scheme = ["--blink-settings=preferredColorScheme=0"] if options.dark else []
         browse(browser, f"{url}#{options.address}", f"--window-size={options.window}", "--hide-scrollbars",

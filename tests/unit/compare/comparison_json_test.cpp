@@ -122,6 +122,33 @@ TEST(ComparisonJson, MethodsHaveEveryField) {
     }
 }
 
+TEST(ComparisonJson, ErrorsOfReflectionsWhereToldOnly) {
+    Comparison comparison = small_comparison();
+    ReflectionErrors& errors = comparison.methods[1].reflection_errors.emplace();
+    errors.predicted = Plane(2, 2);
+    errors.predicted.values = {-1.0f, 1.0f, 4.0f, std::numeric_limits<float>::infinity()};
+    errors.measured = Plane(2, 2);
+    errors.measured.values = {-1.0f, 2.0f, 0.5f, 8.0f};
+    errors.seconds = 0.75;
+    errors.predicted_file = "p.png";
+    errors.measured_file = "m.png";
+    comparison.methods[2].reflection_errors = errors;
+    ReflectionErrors& choosing = *comparison.methods[2].reflection_errors;
+    choosing.traced = Plane(2, 2);
+    choosing.traced.values = {-1.0f, 0.0f, 1.0f, 1.0f};
+    choosing.traced_file = "t.png";
+    const Json methods = comparison_to_json(comparison)["methods"];
+    EXPECT_FALSE(methods[0].contains("reflection_errors"));
+    const Json& told = methods[1]["reflection_errors"];
+    EXPECT_EQ(told["pixels"], 3);
+    EXPECT_EQ(told["seconds"], 0.75);
+    EXPECT_EQ(told["predicted"], Json({{"median", 4.0}, {"p95", nullptr}, {"image", "p.png"}}));
+    EXPECT_EQ(told["measured"], Json({{"median", 2.0}, {"p95", 8.0}, {"image", "m.png"}}));
+    EXPECT_DOUBLE_EQ(told["exceeded"].get<double>(), 1.0 / 3.0);
+    EXPECT_FALSE(told.contains("traced"));
+    EXPECT_EQ(methods[2]["reflection_errors"]["traced"], Json({{"pixels", 2}, {"image", "t.png"}}));
+}
+
 TEST(ComparisonJson, SettingsOfMapsBelongToMethodsThatUseThem) {
     Comparison comparison = small_comparison();
     MapSettings& maps = *comparison.methods[1].maps;

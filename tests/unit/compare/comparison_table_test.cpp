@@ -128,6 +128,20 @@ TEST(ComparisonTable, NoReflectivePixelsNoRowsAboutThem) {
     EXPECT_THAT(comparison_table(small_comparison()), HasSubstr("error, reflective pixels"));
 }
 
+TEST(ComparisonTable, DisplacementsWhereTold) {
+    Comparison comparison = small_comparison();
+    EXPECT_THAT(comparison_table(comparison), Not(HasSubstr("off its place")));
+    ReflectionErrors& errors = comparison.methods[1].reflection_errors.emplace();
+    errors.predicted = Plane(2, 2);
+    errors.predicted.values = {-1.0f, 1.0f, 4.0f, std::numeric_limits<float>::infinity()};
+    errors.measured = Plane(2, 2);
+    errors.measured.values = {-1.0f, 0.25f, 8.0f, 12.5f};
+    errors.seconds = 0.75;
+    // predicted median and p95, measured median and p95, exceeded, found in; the last group of rows.
+    EXPECT_THAT(row(comparison_table(comparison), "direct/polygon-map", 3),
+                ElementsAre("4.00", "unknown", "8.00", "12.5", "33.3", "%", "750", "ms"));
+}
+
 TEST(ComparisonTable, ValuesThatDoNotExist) {
     Comparison comparison = small_comparison();
     comparison.methods[1].metrics = Metrics{};
@@ -146,6 +160,9 @@ TEST(ComparisonTable, FitsATerminal) {
         result.rays = std::uint64_t{999} << 40;
         result.metrics = test::distinct_metrics(1.234e-100);
         result.metrics.max = 1.23e+100;
+        ReflectionErrors& errors = result.reflection_errors.emplace();
+        errors.predicted = errors.measured = Plane(4, 3, 123456.0f);
+        errors.seconds = 59.94 * 60;
     }
     for (const std::string& line : lines(comparison_table(comparison)))
         EXPECT_LE(line.size(), kColumns) << line;
@@ -160,10 +177,10 @@ TEST(ComparisonTable, NothingWasFinished) {
 
 TEST(ComparisonTable, SaysWhyAMethodIsMissing) {
     Comparison comparison = small_comparison();
-    EXPECT_THAT(comparison_table(comparison), Not(HasSubstr("missing")));
+    EXPECT_THAT(comparison_table(comparison), Not(HasSubstr("failed")));
     comparison.failures.push_back(
         {{LightMethod::direct, ReflectionMethod::sphere_map}, "too large", ExitCode::usage});
-    EXPECT_THAT(comparison_table(comparison), HasSubstr("direct/sphere-map is missing: too large"));
+    EXPECT_THAT(comparison_table(comparison), HasSubstr("direct/sphere-map failed: too large"));
 }
 
 TEST(ComparisonTable, SaysThatNoiseIsUnknown) {

@@ -2,6 +2,7 @@
 #include "compare/report.h"
 
 #include "compare/comparison_json.h"
+#include "compare/reflection_pictures.h"
 
 #include "image/error_map.h"
 #include "image_io/image_io.h"
@@ -161,6 +162,50 @@ TEST(Report, HoldsThePicturesAsPng) {
                   encode_png(result.image, comparison.exposure));
         EXPECT_EQ(decode_picture(pictures["methods"][i]["error_map"]),
                   encode_png_coded(error_map(result.flip)));
+    }
+}
+
+/// The second method tells errors, the third also what it traced.
+Comparison comparison_with_predictions() {
+    Comparison comparison = make_comparison();
+    for (const std::size_t i : {1u, 2u}) {
+        ReflectionErrors& errors = comparison.methods[i].reflection_errors.emplace();
+        errors.predicted = Plane(kWidth, kHeight, 2.0f);
+        errors.measured = Plane(kWidth, kHeight, 0.5f);
+    }
+    comparison.methods[2].reflection_errors->traced = Plane(kWidth, kHeight, 1.0f);
+    return comparison;
+}
+
+TEST(Report, HoldsPicturesOfErrorsOfReflections) {
+    const Comparison comparison = comparison_with_predictions();
+    const ordered_json methods = data_of(make_report(comparison))["pictures"]["methods"];
+    for (const char* name : {"predicted", "measured", "traced"})
+        EXPECT_FALSE(methods[0].contains(name)) << name;
+    for (const std::size_t i : {1u, 2u}) {
+        const ReflectionErrors& errors = *comparison.methods[i].reflection_errors;
+        EXPECT_EQ(decode_picture(methods[i]["predicted"]),
+                  encode_png_coded(displacement_picture(errors.predicted)));
+        EXPECT_EQ(decode_picture(methods[i]["measured"]),
+                  encode_png_coded(displacement_picture(errors.measured)));
+    }
+    EXPECT_TRUE(methods[1]["traced"].is_null());
+    EXPECT_EQ(decode_picture(methods[2]["traced"]),
+              encode_png_coded(traced_picture(comparison.methods[2].reflection_errors->traced)));
+}
+
+TEST(Report, ShowsTheScaleOfDisplacementsFromEndToEnd) {
+    const ordered_json scale = data_of(make_report(make_comparison()))["pictures"]["displacement_scale"];
+    EXPECT_EQ(scale["least"].get<float>(), kLeastDisplacement);
+    EXPECT_EQ(scale["most"].get<float>(), kMostDisplacement);
+    const Texture drawn = decode_texture(decode_picture(scale["image"]), "scale of displacements");
+    Plane ends(2, 1);
+    ends.values = {kLeastDisplacement, kMostDisplacement};
+    const Texture expected = decode_texture(encode_png_coded(displacement_picture(ends)), "ends");
+    constexpr std::size_t kTexel = 4;
+    for (std::size_t c = 0; c < kTexel; ++c) {
+        EXPECT_EQ(drawn.rgba[c], expected.rgba[c]);
+        EXPECT_EQ(drawn.rgba[drawn.rgba.size() - kTexel + c], expected.rgba[kTexel + c]);
     }
 }
 

@@ -49,6 +49,28 @@ TEST(ErrorMap, ScalesByTheMaximumAndMarksNotANumber) {
     EXPECT_EQ(map.at(3, 0), glm::vec3(0.0f, 1.0f, 0.0f));
 }
 
+TEST(LogErrorMap, EqualFactorsAreEqualStepsOfLightness) {
+    Plane errors(4, 1);
+    errors.values = {0.1f, 1.0f, 10.0f, 100.0f};
+    const Image map = log_error_map(errors, 0.1f, 100.0f);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        // The table has 1024 steps.
+        EXPECT_NEAR(lightness(map.at(i, 0)), 97.0f * static_cast<float>(i) / 3.0f, 0.06f) << i;
+    }
+}
+
+TEST(LogErrorMap, EndsAndWhatIsLeftOut) {
+    Plane errors(5, 1);
+    errors.values = {0.0f, 0.05f, std::numeric_limits<float>::infinity(), -1.0f,
+                     std::numeric_limits<float>::quiet_NaN()};
+    const Image map = log_error_map(errors, 0.1f, 100.0f);
+    EXPECT_EQ(map.at(0, 0), error_colour(0.0f));
+    EXPECT_EQ(map.at(1, 0), error_colour(0.0f));
+    EXPECT_EQ(map.at(2, 0), error_colour(1.0f));
+    EXPECT_EQ(map.at(3, 0), kLeftOutColour);
+    EXPECT_EQ(map.at(4, 0), glm::vec3(0.0f, 1.0f, 0.0f));
+}
+
 TEST(RelativeError, AveragesToTheMetric) {
     const Image a = test::noise(12, 9, 1);
     const Image b = test::noise(12, 9, 2);
