@@ -65,6 +65,38 @@ function fillFrontTable() {
     byId("front").replaceChildren(head, make("tbody", {}, ...rows));
 }
 
+/// `cellText` tells a run's number, `worth` what is least for the best of a column.
+function fillEqualTable(table, heads, rows, cellText, worth) {
+    const best = heads.map((_, i) => {
+        const found = rows.map(({ runs }) => runs[i]).filter((run) => run !== null).map((run) => worth(data.runs[run]));
+        return new Set(found).size > 1 ? Math.min(...found) : undefined;
+    });
+    const head = make("tr", {}, ...["Method", ...heads].map((text) => make("th", { scope: "col" }, text)));
+    const cellOf = (run, i) => {
+        if (run === null) return make("td", {}, missing);
+        const isBest = worth(data.runs[run]) === best[i];
+        const cell = make("td", { className: isBest ? "best" : "" }, cellText(data.runs[run]));
+        cell.dataset.run = run;
+        cell.addEventListener("click", () => show(run));
+        return cell;
+    };
+    const body = rows.map(({ name, runs }) =>
+        make("tr", {}, make("th", { scope: "row" }, name), ...runs.map(cellOf)));
+    table.replaceChildren(make("thead", {}, head), make("tbody", {}, ...body));
+}
+
+function fillEqualTables() {
+    const { times, errors } = data.equal[choice.time][choice.pixels][choice.metric];
+    const title = data.titles[choice.metric] + (choice.pixels === "all" ? "" : " of reflective pixels");
+    const spent = choice.time === "frame" ? "a frame" : "preparation and a frame";
+    byId("equal-time-title").textContent = `${title} at equal times of ${spent}`;
+    byId("equal-error-title").textContent = `Time of ${spent} at equal ${title}`;
+    fillEqualTable(byId("equal-time"), data.equal.seconds.map((seconds) => quantity(seconds, "seconds")), times,
+                   errorText, errorOf);
+    fillEqualTable(byId("equal-error"), data.equal.errors.map(String), errors,
+                   (run) => quantity(secondsOf(run), "seconds"), secondsOf);
+}
+
 function fillNoise() {
     const least = leastError();
     const title = data.titles[choice.metric];
@@ -90,6 +122,7 @@ function draw() {
     const pixels = choice.pixels === "all" ? "" : ", reflective pixels";
     drawChart(byId("chart"), points, front, leastError(), { x: axis, y: data.titles[choice.metric] + pixels }, show);
     fillFrontTable();
+    fillEqualTables();
     fillNoise();
     const first = position.has(shown) ? shown : points[front[0] ?? 0]?.run;
     if (first !== undefined) show(first);

@@ -4,6 +4,7 @@
 #include "compare/error_metric.h"
 #include "compare/html_page.h"
 #include "compare/page_files.h"
+#include "compare/trade_equal.h"
 #include "compare/trade_json.h"
 
 #include "base/file.h"
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <vector>
 
 namespace utsuri {
 namespace {
@@ -27,12 +29,47 @@ Json metrics_to_titles() {
     return titles;
 }
 
+/// For each method its name and the indices of its runs, null for none.
+Json rows_to_json(const std::vector<EqualRow>& rows) {
+    Json json = Json::array();
+    for (const EqualRow& row : rows) {
+        Json runs = Json::array();
+        for (const std::optional<TradePoint>& cell : row.cells)
+            runs.push_back(cell ? Json(cell->run) : Json(nullptr));
+        json.push_back({{"name", method_name(row.method)}, {"runs", std::move(runs)}});
+    }
+    return json;
+}
+
+Json equal_rows_to_json(const Trade& trade, TradeTime time, TradePixels pixels) {
+    Json json;
+    for (const ErrorMetric& metric : error_metrics()) {
+        json[std::string(metric.name)] = {
+            {"times", rows_to_json(equal_times(trade, metric, time, pixels))},
+            {"errors", rows_to_json(equal_errors(trade, metric, time, pixels))}};
+    }
+    return json;
+}
+
+/// The tables of trade_equal.h, found as the fronts of trade_to_json() are.
+Json equal_to_json(const Trade& trade) {
+    const auto of_time = [&](TradeTime time) -> Json {
+        return {{"all", equal_rows_to_json(trade, time, TradePixels::all)},
+                {"reflective", equal_rows_to_json(trade, time, TradePixels::reflective)}};
+    };
+    return {{"seconds", kEqualSeconds},
+            {"errors", kEqualErrors},
+            {"frame", of_time(TradeTime::frame)},
+            {"with_preparation", of_time(TradeTime::with_preparation)}};
+}
+
 }  // namespace
 
 std::string make_trade_page(const Trade& trade, std::string_view metric) {
     Json json = trade_to_json(trade);
     json["metric"] = metric;
     json["titles"] = metrics_to_titles();
+    json["equal"] = equal_to_json(trade);
     json["pictures"] = Json::array();
     for (const TradeRun& run : trade.runs)
         json["pictures"].push_back(data_uri(kJpeg, run.picture));

@@ -11,7 +11,8 @@ namespace utsuri {
 
 /// One HTML5 page with a chart of error against time, a mark for each run, whose picture it shows. UTF-8; all
 /// inside, nothing is fetched when it is shown. The element with id "data" holds the JSON of trade_to_json(),
-/// the pictures as data URIs under "pictures", and under "metric" the one that the chart starts with.
+/// the pictures as data URIs under "pictures", the tables of trade_equal.h under "equal", and under "metric"
+/// the one that the chart starts with.
 std::string make_trade_page(const Trade& trade, std::string_view metric);
 
 /// trade.json and trade.html in a folder that is there.

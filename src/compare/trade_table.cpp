@@ -2,21 +2,15 @@
 #include "compare/trade_table.h"
 
 #include "compare/comparison_table.h"
+#include "compare/trade_equal.h"
 #include "compare/trade_front.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <functional>
+#include <string_view>
 
 namespace utsuri {
 namespace {
-
-constexpr std::array kEqualSeconds = {0.01, 0.033, 0.1, 0.33, 1.0, 3.3, 10.0};
-constexpr std::array kEqualErrors = {1.0, 0.3, 0.1, 0.03, 0.01, 0.003, 0.001};
-constexpr std::size_t kColumns = kEqualSeconds.size();
-static_assert(kEqualErrors.size() == kColumns);
 
 constexpr const char* kFrontRow = "{:>10}{:>11}{:>10}{:>11}  {:<19}{}\n";
 
@@ -33,59 +27,33 @@ std::string front_rows(const Trade& trade, const ErrorMetric& metric, TradeTime 
     return text;
 }
 
-/// Methods in the order of their first runs.
-std::vector<Method> methods_of(const Trade& trade) {
-    std::vector<Method> methods;
-    for (const TradeRun& run : trade.runs) {
-        if (std::find(methods.begin(), methods.end(), run.result.method) == methods.end())
-            methods.push_back(run.result.method);
-    }
-    return methods;
+/// A line with a name and a cell for each column of trade_equal.h.
+template <typename CellAt>
+std::string equal_line(std::string_view name, CellAt cell_at) {
+    std::string line = fmt::format("{:<20}", name);
+    for (std::size_t i = 0; i < kEqualSeconds.size(); ++i)
+        line += fmt::format("{:>11}", cell_at(i));
+    return line + "\n";
 }
 
-/// A row for each method and one for the best of all; a cell from the method's points and the column.
-std::string rows_of_methods(
-    const Trade& trade, const ErrorMetric& metric, const std::array<std::string, kColumns>& heads,
-    const std::function<std::string(const std::vector<TradePoint>&, std::size_t)>& cell) {
-    const std::vector<TradePoint> all = trade_points(trade, metric, TradeTime::frame);
-    const auto row = [&](const std::string& name, const std::vector<TradePoint>& points) {
-        std::string line = fmt::format("{:<20}", name);
-        for (std::size_t i = 0; i < kColumns; ++i)
-            line += fmt::format("{:>11}", cell(points, i));
-        return line + "\n";
-    };
-    std::string text = fmt::format("{:<20}", "");
-    for (const std::string& head : heads)
-        text += fmt::format("{:>11}", head);
-    text += "\n";
-    for (const Method& method : methods_of(trade)) {
-        std::vector<TradePoint> points;
-        std::copy_if(all.begin(), all.end(), std::back_inserter(points),
-                     [&](const TradePoint& point) { return trade.runs[point.run].result.method == method; });
-        text += row(method_name(method), points);
+std::string equal_time_rows(const Trade& trade, const ErrorMetric& metric) {
+    std::string text = equal_line("", [](std::size_t i) { return format_seconds(kEqualSeconds[i]); });
+    for (const EqualRow& row : equal_times(trade, metric, TradeTime::frame)) {
+        text += equal_line(method_name(row.method), [&](std::size_t i) {
+            return row.cells[i] ? format_error(metric, row.cells[i]->error, trade.noise) : "-";
+        });
     }
     return text;
 }
 
-std::string equal_time_rows(const Trade& trade, const ErrorMetric& metric) {
-    std::array<std::string, kColumns> heads;
-    std::transform(kEqualSeconds.begin(), kEqualSeconds.end(), heads.begin(), format_seconds);
-    return rows_of_methods(trade, metric, heads,
-                           [&](const std::vector<TradePoint>& points, std::size_t column) {
-                               const auto best = best_within(points, kEqualSeconds[column]);
-                               return best ? format_error(metric, best->error, trade.noise) : "-";
-                           });
-}
-
 std::string equal_error_rows(const Trade& trade, const ErrorMetric& metric) {
-    std::array<std::string, kColumns> heads;
-    std::transform(kEqualErrors.begin(), kEqualErrors.end(), heads.begin(),
-                   [](double error) { return fmt::format("{:g}", error); });
-    return rows_of_methods(trade, metric, heads,
-                           [&](const std::vector<TradePoint>& points, std::size_t column) {
-                               const auto fastest = fastest_for(points, kEqualErrors[column]);
-                               return fastest ? format_seconds(fastest->seconds) : "-";
-                           });
+    std::string text = equal_line("", [](std::size_t i) { return fmt::format("{:g}", kEqualErrors[i]); });
+    for (const EqualRow& row : equal_errors(trade, metric, TradeTime::frame)) {
+        text += equal_line(method_name(row.method), [&](std::size_t i) {
+            return row.cells[i] ? format_seconds(row.cells[i]->seconds) : "-";
+        });
+    }
+    return text;
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ const note = (name) => {
         marks: marks().length,
         command: document.getElementById("run-command").textContent,
         front: [...document.querySelectorAll("#front tbody tr")].map((row) => Number(row.dataset.run)),
+        equal: ["equal-time", "equal-error"].map((table) => [...document.querySelectorAll(`#${table} tbody tr`)].map(
+            (row) => [...row.children].map((cell, i) => (i === 0 ? cell.textContent : Number(cell.dataset.run ?? -1))))),
         axes: [...document.querySelectorAll("#chart .title")].map((title) => title.textContent),
     };
 };
@@ -56,6 +58,7 @@ function run() {
     choose("pixels", "reflective"); note("reflective");
     choose("time", "with_preparation"); note("with preparation");
     document.querySelector("#front tbody tr").click(); note("row");
+    [...document.querySelectorAll("#equal-time td[data-run]")].at(-1).click(); note("cell");
     document.querySelector("#methods input").click(); note("without the first method");
     document.documentElement.dataset.results = JSON.stringify(results);
 }
@@ -65,6 +68,12 @@ run();
 
 def seconds(run):
     return run["frame_seconds"]
+
+
+def last_within(data):
+    """The run in the last filled cell of the table of equal times, as it is shown at the end."""
+    rows = data["equal"]["with_preparation"]["reflective"]["flip"]["times"]
+    return [run for row in rows for run in row["runs"] if run is not None][-1]
 
 
 def check_actions(results, data, checks):
@@ -78,7 +87,8 @@ def check_actions(results, data, checks):
     back = by_error[max(by_error.index(above) - 1, 0)]
     expected = {"start": fronts["frame"]["all"]["rel_mse"][0], "hover": 2, "focus": 0, "home": by_time[0],
                 "right": by_time[1], "left": by_time[0], "left of the first": by_time[0], "end": last,
-                "up": above, "down": back, "row": fronts["with_preparation"]["reflective"]["flip"][0]}
+                "up": above, "down": back, "row": fronts["with_preparation"]["reflective"]["flip"][0],
+                "cell": last_within(data)}
     for name, run in expected.items():
         checks.equal(f"after '{name}': the run whose picture is shown", results[name]["run"], run)
         checks.equal(f"after '{name}': marks that are shown", results[name]["shown"], [run])
@@ -91,6 +101,10 @@ def check_actions(results, data, checks):
                        "with preparation": ("with_preparation", "reflective", "flip")}.items():
         checks.equal(f"after '{name}': the front", results[name]["front"], fronts[path[0]][path[1]][path[2]])
         checks.equal(f"after '{name}': marks", results[name]["marks"], count)
+        equal = data["equal"][path[0]][path[1]][path[2]]
+        checks.equal(f"after '{name}': the tables of equal times and errors", results[name]["equal"],
+                     [[[row["name"], *(-1 if run is None else run for run in row["runs"])] for row in equal[table]]
+                      for table in ("times", "errors")])
     checks.equal("axes", results["start"]["axes"], ["time of a frame", "relMSE"])
     checks.equal("axes after all", results["with preparation"]["axes"],
                  ["time of preparation and a frame", "FLIP, reflective pixels"])

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/trade_page.h"
 
+#include "compare/trade_equal.h"
 #include "compare/trade_json.h"
 
 #include "small_trade.h"
@@ -32,9 +33,27 @@ TEST(TradePage, HoldsTheTradeAndItsPictures) {
     EXPECT_EQ(data["titles"]["rel_mse"], "relMSE");
     ASSERT_EQ(data["pictures"].size(), trade.runs.size());
     EXPECT_EQ(data["pictures"][0], "data:image/jpeg;base64,/9j/");
-    for (const char* name : {"metric", "titles", "pictures"})
+    for (const char* name : {"metric", "titles", "pictures", "equal"})
         data.erase(name);
     EXPECT_EQ(data, Json::parse(trade_to_json(trade).dump()));
+}
+
+TEST(TradePage, HoldsTheTablesOfEqualTimesAndErrors) {
+    const Trade trade = test::small_trade();
+    const Json equal = data_of(make_trade_page(trade, "rel_mse"))["equal"];
+    EXPECT_EQ(equal["seconds"], Json(kEqualSeconds));
+    EXPECT_EQ(equal["errors"], Json(kEqualErrors));
+    const ErrorMetric& flip = parse_error_metric("flip");
+    const auto rows = equal_errors(trade, flip, TradeTime::with_preparation, TradePixels::reflective);
+    const Json& written = equal["with_preparation"]["reflective"]["flip"]["errors"];
+    ASSERT_EQ(written.size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_EQ(written[i]["name"], method_name(rows[i].method));
+        for (std::size_t c = 0; c < kEqualErrors.size(); ++c) {
+            const auto& cell = rows[i].cells[c];
+            EXPECT_EQ(written[i]["runs"][c], cell ? Json(cell->run) : Json(nullptr));
+        }
+    }
 }
 
 TEST(TradePage, FetchesNothing) {
