@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/capture_point.h"
 
+#include "renderers/reflection_map/scene_triangles.h"
 #include "renderers/reflection_map/view_directions.h"
 
 #include "geometry/reference_intersection.h"
@@ -27,14 +28,6 @@ std::optional<ReferenceHit> look(const SceneData& scene, std::uint32_t instance,
     });
 }
 
-std::vector<std::uint32_t> triangles_of(const SceneData& scene, std::uint32_t instance) {
-    std::vector<std::uint32_t> result;
-    for (std::uint32_t t = 0; t < scene.triangle_infos.size(); ++t) {
-        if (scene.triangle_infos[t].instance == instance) result.push_back(t);
-    }
-    return result;
-}
-
 /// Whether most of a spread of points on the instance are outside other geometry. An instance whose surface
 /// sees as many backs as its centre is not buried: the scene just shows it backs, like a room modelled inside
 /// out.
@@ -43,9 +36,8 @@ bool is_exposed(const SceneData& scene, std::uint32_t instance, const std::vecto
     std::size_t samples = 0;
     std::size_t inside = 0;
     for (std::size_t i = 0; i < triangles.size(); i += step, ++samples) {
-        const interop::BvhTriangle& triangle = scene.bvh.triangles[triangles[i]];
-        const glm::dvec3 centre =
-            (glm::dvec3(triangle.v0) + glm::dvec3(triangle.v1) + glm::dvec3(triangle.v2)) / 3.0;
+        const Corners corners = corners_of(scene, triangles[i]);
+        const glm::dvec3 centre = (corners[0] + corners[1] + corners[2]) / 3.0;
         if (is_inside_geometry(scene, instance, centre)) ++inside;
     }
     return 2 * inside < samples;
@@ -83,12 +75,7 @@ bool is_inside_geometry(const SceneData& scene, std::uint32_t instance, const gl
 
 glm::dvec3 find_capture_point(const SceneData& scene, std::uint32_t instance) {
     const std::vector<std::uint32_t> triangles = triangles_of(scene, instance);
-    Bounds bounds;
-    for (const std::uint32_t triangle : triangles) {
-        bounds.extend(scene.bvh.triangles[triangle].v0);
-        bounds.extend(scene.bvh.triangles[triangle].v1);
-        bounds.extend(scene.bvh.triangles[triangle].v2);
-    }
+    const Bounds bounds = bounds_of(scene, triangles);
     if (bounds.empty()) return glm::dvec3(0.0);
     const glm::dvec3 centre = 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
     if (!is_inside_geometry(scene, instance, centre) || !is_exposed(scene, instance, triangles))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/plane_mirrors.h"
 
+#include "renderers/reflection_map/scene_triangles.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -11,24 +13,8 @@
 namespace utsuri {
 namespace {
 
-/// Largest relative error of one rounding to float32.
-constexpr double kUnitRoundoff = 0x1p-24;
 /// Of unit normals: three components rounded when the mesh was made, and again when the scene was placed.
 constexpr double kNormalTolerance = 8.0 * kUnitRoundoff;
-
-using Corners = std::array<glm::dvec3, 3>;
-
-Corners corners_of(const SceneData& scene, std::uint32_t triangle) {
-    const interop::BvhTriangle& t = scene.bvh.triangles[triangle];
-    return {glm::dvec3(t.v0), glm::dvec3(t.v1), glm::dvec3(t.v2)};
-}
-
-/// Bound on how far a vertex is from where it belongs: each coordinate rounded once.
-double vertex_error(const SceneData& scene) {
-    const glm::dvec3 largest =
-        glm::max(glm::abs(glm::dvec3(scene.bounds.lower)), glm::abs(glm::dvec3(scene.bounds.upper)));
-    return kUnitRoundoff * glm::length(largest);
-}
 
 /// Sine of the angle between two lines.
 double sine_between(const glm::dvec3& a, const glm::dvec3& b) {
@@ -41,56 +27,30 @@ struct Seed {
     double area;
 };
 
-/// The plane of a seed, and what belongs to it.
-class SeedPlane {
-  public:
-    SeedPlane(const SceneData& scene, std::uint32_t triangle)
-        : scene_(scene), error_(vertex_error(scene)), corners_(corners_of(scene, triangle)) {
-        const glm::dvec3 cross = glm::cross(corners_[1] - corners_[0], corners_[2] - corners_[0]);
-        const glm::dvec3 shading(scene.normals[scene.triangle_infos[triangle].vertices.x]);
-        double longest = 0.0;
-        for (std::size_t i = 0; i < 3; ++i)
-            longest = std::max(longest, glm::distance(corners_[i], corners_[(i + 1) % 3]));
-        height_ = glm::length(cross) / longest;
-        // The shading normal says more exactly than rounded vertices what plane is meant.
-        normal_ = glm::normalize(shading) * (glm::dot(shading, cross) < 0.0 ? -1.0 : 1.0);
-        centre_ = (corners_[0] + corners_[1] + corners_[2]) / 3.0;
-        flat_ = sine_between(cross, shading) <= kNormalTolerance + 3.0 * error_ / height_ && holds(triangle);
+/// The shading normal of a triangle's first corner, turned to the triangle's front: it says more exactly than
+/// rounded vertices what plane is meant.
+glm::dvec3 meant_normal(const SceneData& scene, std::uint32_t triangle) {
+    const glm::dvec3 shading(scene.normals[scene.triangle_infos[triangle].vertices.x]);
+    const glm::dvec3 area = doubled_area(corners_of(scene, triangle));
+    return glm::normalize(shading) * (glm::dot(shading, area) < 0.0 ? -1.0 : 1.0);
+}
+
+/// Whether the corners of a triangle lie in a plane, with shading normals along its own.
+bool reflects_in(const SceneData& scene, const TrianglePlane& plane, std::uint32_t triangle) {
+    const glm::uvec3& vertices = scene.triangle_infos[triangle].vertices;
+    for (int k = 0; k < 3; ++k) {
+        const glm::dvec3 normal(scene.normals[vertices[k]]);
+        if (!(sine_between(normal, plane.normal()) <= kNormalTolerance)) return false;
     }
+    return plane.holds(triangle);
+}
 
-    /// Whether the seed itself is a plane mirror; without, it has a curved look.
-    [[nodiscard]] bool flat() const { return flat_; }
-    [[nodiscard]] const glm::dvec3& normal() const { return normal_; }
-    [[nodiscard]] const glm::dvec3& centre() const { return centre_; }
-
-    /// Whether all corners of a triangle lie in the plane, with normals along its own.
-    [[nodiscard]] bool holds(std::uint32_t triangle) const {
-        const glm::uvec3& vertices = scene_.triangle_infos[triangle].vertices;
-        const Corners corners = corners_of(scene_, triangle);
-        for (int k = 0; k < 3; ++k) {
-            const glm::dvec3 normal(scene_.normals[vertices[k]]);
-            if (!(sine_between(normal, normal_) <= kNormalTolerance)) return false;
-            const glm::dvec3 from_centre = corners[static_cast<std::size_t>(k)] - centre_;
-            if (std::abs(glm::dot(from_centre, normal_)) > tolerance(glm::length(from_centre))) return false;
-        }
-        return true;
-    }
-
-    /// How far from the plane rounding may put a vertex at a distance from the centre: its own error, and
-    /// that of the seed's corners, extrapolated with the seed's barycentric coordinates.
-    [[nodiscard]] double tolerance(double distance) const {
-        return error_ * (2.0 + 3.0 * distance / height_);
-    }
-
-  private:
-    const SceneData& scene_;
-    double error_;
-    Corners corners_;
-    double height_ = 0.0;
-    glm::dvec3 normal_{0.0};
-    glm::dvec3 centre_{0.0};
-    bool flat_ = false;
-};
+/// Whether a seed is a plane mirror by itself; if not, it has a curved look.
+bool is_flat(const SceneData& scene, const TrianglePlane& plane, std::uint32_t seed) {
+    const glm::dvec3 area = doubled_area(corners_of(scene, seed));
+    return sine_between(area, plane.normal()) <= kNormalTolerance + plane.turn() &&
+           reflects_in(scene, plane, seed);
+}
 
 /// The rectangle with a side along `side` around all corners of the mirror, in its plane.
 std::array<glm::dvec3, 4> rectangle_along(const SceneData& scene, const PlaneMirror& mirror,
@@ -129,13 +89,13 @@ std::array<glm::dvec3, 4> outline_of(const SceneData& scene, const PlaneMirror& 
 /// Moves what lies in the plane of the seed from `left` to a mirror.
 std::optional<PlaneMirror> take_mirror(const SceneData& scene, std::uint32_t seed,
                                        std::vector<std::uint32_t>& left) {
-    const SeedPlane plane(scene, seed);
-    if (!plane.flat()) return std::nullopt;
+    const TrianglePlane plane(scene, seed, meant_normal(scene, seed));
+    if (!is_flat(scene, plane, seed)) return std::nullopt;
     PlaneMirror mirror;
     mirror.normal = plane.normal();
     mirror.offset = glm::dot(plane.normal(), plane.centre());
-    const auto others =
-        std::stable_partition(left.begin(), left.end(), [&](std::uint32_t t) { return !plane.holds(t); });
+    const auto others = std::stable_partition(left.begin(), left.end(),
+                                              [&](std::uint32_t t) { return !reflects_in(scene, plane, t); });
     mirror.triangles.assign(others, left.end());
     left.erase(others, left.end());
     for (const std::uint32_t triangle : mirror.triangles) {
@@ -155,8 +115,7 @@ PlaneMirrors find_plane_mirrors(const SceneData& scene) {
     for (std::uint32_t t = 0; t < scene.triangle_infos.size(); ++t) {
         if (!scene.requirements.surfaces[scene.triangle_infos[t].material].specular) continue;
         found.others.push_back(t);
-        const Corners corners = corners_of(scene, t);
-        seeds.push_back({t, glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]))});
+        seeds.push_back({t, glm::length(doubled_area(corners_of(scene, t)))});
     }
     std::stable_sort(seeds.begin(), seeds.end(),
                      [](const Seed& a, const Seed& b) { return a.area > b.area; });

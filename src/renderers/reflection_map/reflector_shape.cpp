@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/reflector_shape.h"
 
+#include "renderers/reflection_map/scene_triangles.h"
 #include "renderers/reflection_map/view_directions.h"
 
 #include "geometry/reference_intersection.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -19,23 +19,19 @@ namespace utsuri {
 namespace {
 
 struct Triangle {
-    glm::dvec3 corners[3];
+    Corners corners;
     glm::dvec3 normal;  ///< unit; zero where the triangle has no area
 };
 
-std::vector<Triangle> triangles_of(const SceneData& scene, std::uint32_t instance) {
-    std::vector<Triangle> triangles;
-    for (std::size_t t = 0; t < scene.triangle_infos.size(); ++t) {
-        if (scene.triangle_infos[t].instance != instance) continue;
-        const interop::BvhTriangle& corners = scene.bvh.triangles[t];
-        Triangle triangle{{corners.v0, corners.v1, corners.v2}, {}};
-        const glm::dvec3 area =
-            glm::cross(triangle.corners[1] - triangle.corners[0], triangle.corners[2] - triangle.corners[0]);
+std::vector<Triangle> with_normals(const SceneData& scene, const std::vector<std::uint32_t>& triangles) {
+    std::vector<Triangle> result;
+    for (const std::uint32_t t : triangles) {
+        const Corners corners = corners_of(scene, t);
+        const glm::dvec3 area = doubled_area(corners);
         const double length = glm::length(area);
-        if (length > 0.0) triangle.normal = area / length;
-        triangles.push_back(triangle);
+        result.push_back({corners, length > 0.0 ? area / length : glm::dvec3(0.0)});
     }
-    return triangles;
+    return result;
 }
 
 /// How far rounding can put a vertex off its place: half a unit in the last place of the largest coordinate,
@@ -46,26 +42,20 @@ double rounding_of(const std::vector<Triangle>& triangles) {
         for (const glm::dvec3& corner : triangle.corners)
             largest = std::max({largest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
     }
-    constexpr double kUnitRoundoff = 0x1p-24;
     return 8.0 * kUnitRoundoff * largest;
 }
 
 /// The plane of the largest triangle, if it holds all of them.
-std::optional<MirrorPlane> common_plane(const std::vector<Triangle>& triangles, double tolerance) {
-    const auto area = [](const Triangle& t) {
-        return glm::length(glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]));
-    };
+std::optional<MirrorPlane> common_plane(const SceneData& scene, const std::vector<std::uint32_t>& triangles) {
+    const auto area = [&](std::uint32_t t) { return glm::length(doubled_area(corners_of(scene, t))); };
     const auto largest =
         std::max_element(triangles.begin(), triangles.end(),
-                         [&](const Triangle& a, const Triangle& b) { return area(a) < area(b); });
-    if (largest == triangles.end() || largest->normal == glm::dvec3(0.0)) return std::nullopt;
-    const MirrorPlane plane{largest->normal, glm::dot(largest->normal, largest->corners[0])};
-    for (const Triangle& triangle : triangles) {
-        for (const glm::dvec3& corner : triangle.corners) {
-            if (std::abs(glm::dot(plane.normal, corner) - plane.distance) > tolerance) return std::nullopt;
-        }
-    }
-    return plane;
+                         [&](std::uint32_t a, std::uint32_t b) { return area(a) < area(b); });
+    if (largest == triangles.end() || !(area(*largest) > 0.0)) return std::nullopt;
+    const TrianglePlane plane(scene, *largest);
+    if (!std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t t) { return plane.holds(t); }))
+        return std::nullopt;
+    return MirrorPlane{plane.normal(), glm::dot(plane.normal(), corners_of(scene, *largest)[0])};
 }
 
 bool no_vertex_is_outside(const std::vector<Triangle>& triangles, double tolerance) {
@@ -105,22 +95,15 @@ double openness(const SceneData& scene, std::uint32_t instance, const glm::dvec3
 }  // namespace
 
 ReflectorShape describe_shape(const SceneData& scene, std::uint32_t instance) {
-    const std::vector<Triangle> triangles = triangles_of(scene, instance);
-    const double tolerance = rounding_of(triangles);
+    const std::vector<std::uint32_t> own = triangles_of(scene, instance);
+    const std::vector<Triangle> triangles = with_normals(scene, own);
     ReflectorShape shape;
-    shape.plane = common_plane(triangles, tolerance);
-    shape.convex = shape.plane.has_value() || no_vertex_is_outside(triangles, tolerance);
+    shape.plane = common_plane(scene, own);
+    shape.convex = shape.plane.has_value() || no_vertex_is_outside(triangles, rounding_of(triangles));
     if (!shape.plane) return shape;
     MirrorPlane& plane = *shape.plane;
-    glm::dvec3 lower(std::numeric_limits<double>::infinity());
-    glm::dvec3 upper = -lower;
-    for (const Triangle& triangle : triangles) {
-        for (const glm::dvec3& corner : triangle.corners) {
-            lower = glm::min(lower, corner);
-            upper = glm::max(upper, corner);
-        }
-    }
-    const glm::dvec3 point = 0.5 * (lower + upper);
+    const Bounds bounds = bounds_of(scene, own);
+    const glm::dvec3 point = 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
     if (openness(scene, instance, point, -plane.normal) > openness(scene, instance, point, plane.normal))
         plane = {-plane.normal, -plane.distance};
     return shape;
