@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// direct/distance-map, the distances it searches, and predictions of errors, in the worked room of
-// proxy_map_test.cpp: mirror z = 0, eye (1, 1.6, 4), capture point (2, 1.5, 2.5).
+// direct/distance-map, the distances it searches, and predictions of errors, in the worked room.
 #include "renderers/reflection_map/distance_maps.h"
-#include "support/coded_room.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
+#include "support/worked_room.h"
 
 #include "geometry/reference_intersection.h"
 
@@ -19,36 +18,19 @@
 namespace utsuri::test {
 namespace {
 
-constexpr unsigned kLowerZ = 1u << 4;
 constexpr std::uint32_t kSize = 128;
 /// Texels of 2 / N rad at the centre of a face, looked at to a quarter, as in polygon_map_test.cpp.
 constexpr double kTexel = 0.25 * 2.0 / kSize;
 
-const CodedRoom kRoom({0, 0, 0}, {4, 3, 5});
-const glm::dvec3 kEye(1, 1.6, 4);
-const glm::dvec3 kCapturePoint(2, 1.5, 2.5);
-
-struct WorkedPoint {
-    glm::dvec3 mirror;
-    glm::dvec3 hit;
-    double infinite_error;  ///< degrees: sin e = |r x (p - c)| / |q - c|
-    double slack;  ///< radians, of predictions: two texels where a wall ends within two, else rounding
-};
-const std::array<WorkedPoint, 4> kWorkedPoints = {{{{2.5, 2, 0}, {4, 2.4, 4}, 34.8143228, 1e-3},
-                                                   {{2, 1.5, 0}, {3.25, 1.375, 5}, 12.5757808, 1e-3},
-                                                   {{1, 1, 0}, {1, 0.25, 5}, 26.4533641, 1e-3},
-                                                   {{3, 2.5, 0}, {4, 2.95, 2}, 73.2946167, 4.0 / kSize}}};
-
-Scene room_with_mirror_wall() {
-    Scene scene;
-    kRoom.add_to(scene, kLowerZ);
-    add(scene, quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0}), mirror());
-    return scene;
-}
+/// Of the infinite map at the worked points, degrees: sin e = |r x (p - c)| / |q - c|.
+constexpr std::array<double, 4> kInfiniteErrors = {34.8143228, 12.5757808, 26.4533641, 73.2946167};
+/// What predictions of a worked point may be off by, radians: two texels where a wall ends within two, else
+/// rounding.
+constexpr std::array<double, 4> kSlack = {1e-3, 1e-3, 1e-3, 4.0 / kSize};
 
 /// The same with a box against the wall that the mirror faces.
 Scene furnished_room() {
-    Scene scene = room_with_mirror_wall();
+    Scene scene = worked_room();
     add(scene, block({1.5f, 0, 4.0f}, {3.0f, 1.2f, 4.999f}), emitter({2.0f, 0.5f, 1.5f}));
     return scene;
 }
@@ -65,13 +47,13 @@ class DistanceMap : public DeviceTest {
         const GpuScene gpu_scene(device(), data);
         FilledLight light;
         light.settings = {1.0 / 20.0, 1};
-        MapSettings settings = map_settings(kSize, kCapturePoint);
+        MapSettings settings = map_settings(kSize, kWorkedCapturePoint);
         settings.samples = 1;
         settings.predicts_errors = true;
         RenderSettings picture;
         picture.width = picture.height = 1;
-        MapRenderer renderer(device(), data, gpu_scene, light, look_at(kEye, target, 1e-3), kind, picture,
-                             settings);
+        MapRenderer renderer(device(), data, gpu_scene, light, look_at(kWorkedEye, target, 1e-3), kind,
+                             picture, settings);
         Progress progress;
         renderer.prepare(progress);
         return {renderer.predict_errors().front(), renderer.measure_errors().front()};
@@ -80,22 +62,22 @@ class DistanceMap : public DeviceTest {
 
 // The room's walls are planes: interpolating their inverse depths is exact, whatever the texels.
 TEST_F(DistanceMap, ShowsTheTrueHitsInAnEmptyRoom) {
-    MapObserver observer(device(), room_with_mirror_wall(), MapKind::distance,
-                         map_settings(kSize, kCapturePoint));
+    MapObserver observer(device(), worked_room(), MapKind::distance,
+                         map_settings(kSize, kWorkedCapturePoint));
     for (const WorkedPoint& point : kWorkedPoints) {
-        const glm::dvec3 seen = kRoom.decode(observer.look(kEye, point.mirror, 4).mean);
-        EXPECT_LE(angle_between(seen - kCapturePoint, point.hit - kCapturePoint), kTexel)
+        const glm::dvec3 seen = kWorkedRoom.decode(observer.look(kWorkedEye, point.mirror, 4).mean);
+        EXPECT_LE(angle_between(seen - kWorkedCapturePoint, point.hit - kWorkedCapturePoint), kTexel)
             << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
     }
 }
 
 TEST_F(DistanceMap, ShowsFurnitureWhereItIs) {
-    Scene scene = room_with_mirror_wall();
+    Scene scene = worked_room();
     add(scene, quad({2.4f, 0.8f, 3.3f}, {0, 1.2f, 0}, {1.2f, 0, 0}), emitter({2.0f, 0.5f, 1.5f}));
     RenderSettings picture;
     picture.width = 96;
     picture.height = 72;
-    const Camera camera = look_at(kEye, {2.2, 1.0, 0}, 0.9);
+    const Camera camera = look_at(kWorkedEye, {2.2, 1.0, 0}, 0.9);
     const Image truth = trace(device(), scene, camera, picture, 16).image;
     /// Share of the pixels whose truth the capture point sees that show something else.
     const auto wrong_share = [&](MapKind kind) {
@@ -103,7 +85,7 @@ TEST_F(DistanceMap, ShowsFurnitureWhereItIs) {
         const GpuScene gpu_scene(device(), data);
         FilledLight light;
         light.settings = {1.0 / 20.0, 1};
-        MapSettings settings = map_settings(kSize, kCapturePoint);
+        MapSettings settings = map_settings(kSize, kWorkedCapturePoint);
         settings.predicts_errors = true;
         MapRenderer renderer(device(), data, gpu_scene, light, camera, kind, picture, settings);
         Film film(device(), picture.width, picture.height, "furnished room");
@@ -128,12 +110,13 @@ TEST_F(DistanceMap, ShowsFurnitureWhereItIs) {
 }
 
 TEST_F(DistanceMap, ErrorsOfTheInfiniteMapAreThoseOfItsTheory) {
-    for (const WorkedPoint& point : kWorkedPoints) {
-        const Errors errors = errors_at(room_with_mirror_wall(), MapKind::cube, point.mirror);
-        const double expected = point.infinite_error * std::numbers::pi / 180.0;
+    for (std::size_t i = 0; i < kWorkedPoints.size(); ++i) {
+        const WorkedPoint& point = kWorkedPoints[i];
+        const Errors errors = errors_at(worked_room(), MapKind::cube, point.mirror);
+        const double expected = kInfiniteErrors[i] * std::numbers::pi / 180.0;
         // The eye's direction is float32; predictions see walls through texels, exactly but for rounding.
         EXPECT_NEAR(static_cast<double>(errors.measured.angle), expected, 1e-5);
-        EXPECT_NEAR(static_cast<double>(errors.predicted.parallax), expected, point.slack);
+        EXPECT_NEAR(static_cast<double>(errors.predicted.parallax), expected, kSlack[i]);
         EXPECT_GE(errors.predicted.parallax + errors.predicted.texel, errors.measured.angle);
         EXPECT_EQ(errors.measured.seen, 1.0f);
         EXPECT_NEAR(static_cast<double>(errors.measured.distance), glm::distance(point.hit, point.mirror),
@@ -144,25 +127,25 @@ TEST_F(DistanceMap, ErrorsOfTheInfiniteMapAreThoseOfItsTheory) {
 // B5: a plane mirror puts what is seen at angle e from the capture point by D e / ((l + t) w) pixels off.
 TEST_F(DistanceMap, AnglesBecomePixelsByTheWayTheLightGoes) {
     const WorkedPoint& point = kWorkedPoints[1];
-    const Errors errors = errors_at(room_with_mirror_wall(), MapKind::cube, point.mirror);
-    const double way = glm::distance(kEye, point.mirror) + glm::distance(point.mirror, point.hit);
+    const Errors errors = errors_at(worked_room(), MapKind::cube, point.mirror);
+    const double way = glm::distance(kWorkedEye, point.mirror) + glm::distance(point.mirror, point.hit);
     const double pixel = 2.0 * std::tan(0.5e-3);
-    const double expected =
-        static_cast<double>(errors.measured.angle) * glm::distance(point.hit, kCapturePoint) / (way * pixel);
+    const double expected = static_cast<double>(errors.measured.angle) *
+                            glm::distance(point.hit, kWorkedCapturePoint) / (way * pixel);
     EXPECT_NEAR(static_cast<double>(errors.measured.pixels), expected, 1e-4 * expected);
 }
 
 TEST_F(DistanceMap, ProxyIsPredictedToBeRightWhereItIs) {
-    for (const WorkedPoint& point : kWorkedPoints) {
-        const Errors errors = errors_at(room_with_mirror_wall(), MapKind::proxy, point.mirror);
+    for (std::size_t i = 0; i < kWorkedPoints.size(); ++i) {
+        const Errors errors = errors_at(worked_room(), MapKind::proxy, kWorkedPoints[i].mirror);
         EXPECT_LE(errors.measured.angle, 1e-5f);
-        EXPECT_LE(static_cast<double>(errors.predicted.parallax), point.slack);
+        EXPECT_LE(static_cast<double>(errors.predicted.parallax), kSlack[i]);
     }
 }
 
 // The box hides the wall behind it from the capture point; the mirror's lower corners see it.
 TEST_F(DistanceMap, WhatIsHiddenIsPredictedAsUnknown) {
-    Scene scene = room_with_mirror_wall();
+    Scene scene = worked_room();
     add(scene, quad({1.0f, 0.5f, 4.0f}, {2.0f, 0, 0}, {0, 2.0f, 0}), emitter({2.0f, 0.5f, 1.5f}));
     bool found = false;
     for (int i = 0; i <= 20; ++i) {
@@ -179,14 +162,14 @@ TEST_F(DistanceMap, DistancesAreThoseOfTheSceneAndBoundsHoldThem) {
     const Scene scene = furnished_room();
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device(), data);
-    const MapSettings settings = map_settings(16, kCapturePoint);
+    const MapSettings settings = map_settings(16, kWorkedCapturePoint);
     const ReflectionMaps maps(device(), data, MapKind::distance, settings);
     DistanceMaps distances(device(), data, maps.reflectors(), maps.infos(), 16);
     Progress progress;
     double seconds = 0.0;
     distances.capture(gpu_scene, seconds, progress);
     const std::uint32_t stride = 16 + 2 * interop::DISTANCE_BORDER;
-    const glm::dvec3 point = kCapturePoint - data.origin;
+    const glm::dvec3 point = kWorkedCapturePoint - data.origin;
     const std::uint32_t reflector = maps.reflectors().instances.front();
     // Face +x: u is y, v is z.
     const auto samples = distances.samples(0, 0);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Capture points, mirrors and eyes at places where they hardly ever are, in rooms that shine with their own
 // position: what is seen is known in closed form there, too.
-#include "support/coded_room.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
+#include "support/worked_room.h"
 
 #include "map_observer.h"
 
@@ -20,18 +20,8 @@ constexpr double kTexel = 0.25 * 2.0 / kSize;
 constexpr unsigned kLowerX = 1u << 0;
 constexpr unsigned kLowerZ = 1u << 4;
 
-const CodedRoom kRoom({0, 0, 0}, {4, 3, 5});
-const glm::dvec3 kEye(1, 1.6, 4);
-const glm::dvec3 kMiddle(2, 1.5, 2.5);
-/// Points of the mirror wall z = 0, seen from kEye.
+/// Points of the mirror wall z = 0, seen from kWorkedEye.
 const std::array<glm::dvec3, 3> kMirrorPoints = {{{2.5, 2, 0}, {1, 1, 0}, {0.4, 1.2, 0}}};
-
-Scene room_with_mirror_wall() {
-    Scene scene;
-    kRoom.add_to(scene, kLowerZ);
-    add(scene, quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0}), mirror());
-    return scene;
-}
 
 /// Where an eye looks after the wall z = 0 has mirrored its ray.
 glm::dvec3 mirrored(const glm::dvec3& eye, const glm::dvec3& point) {
@@ -44,38 +34,38 @@ class InfiniteMap : public DeviceTest, public testing::WithParamInterface<MapKin
     /// On the wall z = 0 the eye must see what a ray along the mirrored one meets from the capture point.
     static void expect_seen_from(const glm::dvec3& capture_point, MapObserver& observer,
                                  const glm::dvec3& eye, const glm::dvec3& point) {
-        const glm::dvec3 seen = kRoom.decode(observer.look(eye, point, 4).mean);
-        const glm::dvec3 expected = kRoom.wall_point(capture_point, mirrored(eye, point));
+        const glm::dvec3 seen = kWorkedRoom.decode(observer.look(eye, point, 4).mean);
+        const glm::dvec3 expected = kWorkedRoom.wall_point(capture_point, mirrored(eye, point));
         EXPECT_LE(angle_between(seen - capture_point, expected - capture_point), kTexel)
             << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
     }
 };
 
 TEST_P(InfiniteMap, CapturedAtTheEye) {
-    MapObserver observer(device(), room_with_mirror_wall(), GetParam(), map_settings(kSize, kEye));
+    MapObserver observer(device(), worked_room(), GetParam(), map_settings(kSize, kWorkedEye));
     for (const glm::dvec3& point : kMirrorPoints)
-        expect_seen_from(kEye, observer, kEye, point);
+        expect_seen_from(kWorkedEye, observer, kWorkedEye, point);
 }
 
 // Rays start in the plane of the wall x = 4: those that go inwards see the room and not that wall, those that
 // go outwards see nothing.
 TEST_P(InfiniteMap, CapturedOnASurface) {
     const glm::dvec3 on_wall(4, 1.5, 2.5);
-    MapObserver observer(device(), room_with_mirror_wall(), GetParam(), map_settings(kSize, on_wall));
+    MapObserver observer(device(), worked_room(), GetParam(), map_settings(kSize, on_wall));
     const glm::dvec3 inwards(0.4, 1.2, 0);
-    expect_seen_from(on_wall, observer, kEye, inwards);
+    expect_seen_from(on_wall, observer, kWorkedEye, inwards);
     const glm::dvec3 outwards(2.5, 2, 0);
-    EXPECT_EQ(observer.look(kEye, outwards, 4).mean, glm::dvec3(0.0));
+    EXPECT_EQ(observer.look(kWorkedEye, outwards, 4).mean, glm::dvec3(0.0));
 }
 
 // Emission leaves the front of a surface, unless it is double-sided: from inside a block is black or shines.
 TEST_P(InfiniteMap, CapturedInsideABlock) {
     for (const bool double_sided : {false, true}) {
-        Scene scene = room_with_mirror_wall();
+        Scene scene = worked_room();
         add(scene, block({1.7f, 1.2f, 2.2f}, {2.3f, 1.8f, 2.8f}), emitter(glm::vec3(5.0f)));
         scene.materials.back().double_sided = double_sided;
-        MapObserver observer(device(), scene, GetParam(), map_settings(kSize, kMiddle));
-        EXPECT_EQ(observer.look(kEye, kMirrorPoints[0], 4).mean, glm::dvec3(double_sided ? 5.0 : 0.0));
+        MapObserver observer(device(), scene, GetParam(), map_settings(kSize, kWorkedCapturePoint));
+        EXPECT_EQ(observer.look(kWorkedEye, kMirrorPoints[0], 4).mean, glm::dvec3(double_sided ? 5.0 : 0.0));
     }
 }
 
@@ -84,46 +74,46 @@ TEST_P(InfiniteMap, CapturedInsideABlock) {
 TEST_P(InfiniteMap, MirrorThatTouchesTheWalls) {
     constexpr float kGap = 0x1p-12f;
     Scene scene;
-    kRoom.add_to(scene);
+    kWorkedRoom.add_to(scene);
     add(scene, quad({0, 0, kGap}, {3, 0, 0}, {0, 2.5f, 0}), mirror());
     MapObserver observer(device(), scene, GetParam(), map_settings(kSize));
     const glm::dvec3 centre(1.5, 1.25, static_cast<double>(kGap));
     for (const glm::dvec3& point : kMirrorPoints)
-        expect_seen_from(centre, observer, kEye, point);
+        expect_seen_from(centre, observer, kWorkedEye, point);
 }
 
 // A mirror 25 times as large as the room, in place of its wall.
 TEST_P(InfiniteMap, MirrorLargerThanTheRoom) {
     Scene scene;
-    kRoom.add_to(scene, kLowerZ);
+    kWorkedRoom.add_to(scene, kLowerZ);
     add(scene, quad({-48, -48.5f, 0}, {100, 0, 0}, {0, 100, 0}), mirror());
-    MapObserver observer(device(), scene, GetParam(), map_settings(kSize, kMiddle));
+    MapObserver observer(device(), scene, GetParam(), map_settings(kSize, kWorkedCapturePoint));
     for (const glm::dvec3& point : kMirrorPoints)
-        expect_seen_from(kMiddle, observer, kEye, point);
+        expect_seen_from(kWorkedCapturePoint, observer, kWorkedEye, point);
 }
 
 // Seen at a tenth of a degree the close and the far corners of a polygon differ in distance by a factor of
 // 20, and its vectors by as much in length.
 TEST_P(InfiniteMap, GlancingMirror) {
-    MapObserver observer(device(), room_with_mirror_wall(), GetParam(), map_settings(kSize, kMiddle));
+    MapObserver observer(device(), worked_room(), GetParam(), map_settings(kSize, kWorkedCapturePoint));
     const glm::dvec3 eye(0.2, 1.5, 0.005);
-    expect_seen_from(kMiddle, observer, eye, {3, 1.2, 0});
-    expect_seen_from(kMiddle, observer, eye, {1.5, 2.5, 0});
+    expect_seen_from(kWorkedCapturePoint, observer, eye, {3, 1.2, 0});
+    expect_seen_from(kWorkedCapturePoint, observer, eye, {1.5, 2.5, 0});
 }
 
 // Two mirrors share an edge. The map of the first holds what the second mirrors: from the middle, a ray that
 // meets the second at (0, 1.02, 4.1) and then the far wall.
 TEST_P(InfiniteMap, MirrorsThatTouch) {
     Scene scene;
-    kRoom.add_to(scene, kLowerX | kLowerZ);
+    kWorkedRoom.add_to(scene, kLowerX | kLowerZ);
     add(scene, quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0}), mirror());
     add(scene, quad({0, 0, 0}, {0, 3, 0}, {0, 0, 5}), mirror());
-    MapObserver observer(device(), scene, GetParam(), map_settings(kSize, kMiddle));
+    MapObserver observer(device(), scene, GetParam(), map_settings(kSize, kWorkedCapturePoint));
     const glm::dvec3 eye(3.5, 1.6, 2);
-    const glm::dvec3 seen = kRoom.decode(observer.look(eye, {1, 1, 0}, 4).mean);
+    const glm::dvec3 seen = kWorkedRoom.decode(observer.look(eye, {1, 1, 0}, 4).mean);
     const glm::dvec3 expected(1.125, 0.75, 5);
     // The mirror at x = 0 shows the capture point's image at x = -2.
-    const glm::dvec3 image(-kMiddle.x, kMiddle.y, kMiddle.z);
+    const glm::dvec3 image(-kWorkedCapturePoint.x, kWorkedCapturePoint.y, kWorkedCapturePoint.z);
     EXPECT_LE(angle_between(seen - image, expected - image), kTexel)
         << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
 }
@@ -137,12 +127,11 @@ using ProxyExtremes = DeviceTest;
 
 // The room is its own proxy: what a mirror shows is true wherever its map was captured.
 TEST_F(ProxyExtremes, CapturedAtTheEyeAndInTheMirror) {
-    for (const glm::dvec3& capture_point : {kEye, glm::dvec3(2, 1.5, 0x1p-12)}) {
-        MapObserver observer(device(), room_with_mirror_wall(), MapKind::proxy,
-                             map_settings(kSize, capture_point));
+    for (const glm::dvec3& capture_point : {kWorkedEye, glm::dvec3(2, 1.5, 0x1p-12)}) {
+        MapObserver observer(device(), worked_room(), MapKind::proxy, map_settings(kSize, capture_point));
         for (const glm::dvec3& point : kMirrorPoints) {
-            const glm::dvec3 seen = kRoom.decode(observer.look(kEye, point, 4).mean);
-            const glm::dvec3 hit = kRoom.wall_point(point, mirrored(kEye, point));
+            const glm::dvec3 seen = kWorkedRoom.decode(observer.look(kWorkedEye, point, 4).mean);
+            const glm::dvec3 hit = kWorkedRoom.wall_point(point, mirrored(kWorkedEye, point));
             EXPECT_LE(angle_between(seen - capture_point, hit - capture_point), kTexel)
                 << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
         }
@@ -156,12 +145,12 @@ TEST_F(ProxyExtremes, GlancingMirror) {
     Scene scene;
     deep_room.add_to(scene);
     add(scene, quad({0.1f, 0.1f, 0}, {3.8f, 0, 0}, {0, 2.8f, 0}), mirror());
-    MapObserver observer(device(), scene, MapKind::proxy, map_settings(kSize, kMiddle));
+    MapObserver observer(device(), scene, MapKind::proxy, map_settings(kSize, kWorkedCapturePoint));
     const glm::dvec3 eye(0.2, 1.5, 0.005);
     for (const glm::dvec3& point : {glm::dvec3(3, 1.2, 0), glm::dvec3(1.5, 2.5, 0)}) {
         const glm::dvec3 seen = deep_room.decode(observer.look(eye, point, 4).mean);
         const glm::dvec3 hit = deep_room.wall_point(point, mirrored(eye, point));
-        EXPECT_LE(angle_between(seen - kMiddle, hit - kMiddle), kTexel)
+        EXPECT_LE(angle_between(seen - kWorkedCapturePoint, hit - kWorkedCapturePoint), kTexel)
             << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
     }
 }

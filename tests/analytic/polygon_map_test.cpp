@@ -2,9 +2,9 @@
 // direct/polygon-map. On a plane mirror it must show exactly what a map at infinity shows: the point that a
 // ray from the capture point along the reflected direction meets. Rooms that shine with their own position
 // tell which it is.
-#include "support/coded_room.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
+#include "support/worked_room.h"
 
 #include "map_observer.h"
 
@@ -18,7 +18,6 @@
 namespace utsuri::test {
 namespace {
 
-constexpr unsigned kLowerZ = 1u << 4;
 /// A texel's mean over 16 jittered samples lies within about a tenth of a texel of its centre, and where two
 /// walls meet within a texel the mean cuts the corner by up to an eighth of it.
 constexpr double kTexelError = 0.25;
@@ -30,34 +29,10 @@ double texel_angle(std::uint32_t size) {
     return 2.0 / size;
 }
 
-/// [0,4] x [0,3] x [0,5] with a mirror for its wall z = 0.
-const CodedRoom kRoom({0, 0, 0}, {4, 3, 5});
-
-Scene room_with_mirror_wall() {
-    Scene scene;
-    kRoom.add_to(scene, kLowerZ);
-    add(scene, quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0}), mirror());
-    return scene;
-}
-
-struct WorkedPoint {
-    glm::dvec3 mirror;    ///< where the eye looks
-    glm::dvec3 hit;       ///< what is reflected there
-    glm::dvec3 infinite;  ///< what a map captured at (2, 1.5, 2.5) shows there, taken as infinitely far
-};
-
-/// By hand for the eye at (1, 1.6, 4): r = reflect(p - eye); the walls that p + t r and c + t r meet.
-const std::array<WorkedPoint, 4> kWorkedPoints = {{{{2.5, 2, 0}, {4, 2.4, 4}, {2.9375, 1.75, 5}},
-                                                   {{2, 1.5, 0}, {3.25, 1.375, 5}, {2.625, 1.4375, 5}},
-                                                   {{1, 1, 0}, {1, 0.25, 5}, {2, 1.125, 5}},
-                                                   {{3, 2.5, 0}, {4, 2.95, 2}, {3.25, 2.0625, 5}}}};
-const glm::dvec3 kEye(1, 1.6, 4);
-const glm::dvec3 kCapturePoint(2, 1.5, 2.5);
-
 TEST_F(PolygonMap, TracingShowsTheWorkedHits) {
-    Observer observer(device(), room_with_mirror_wall());
+    Observer observer(device(), worked_room());
     for (const WorkedPoint& point : kWorkedPoints) {
-        const glm::dvec3 seen = kRoom.decode(observer.look(kEye, point.mirror, 4).mean);
+        const glm::dvec3 seen = kWorkedRoom.decode(observer.look(kWorkedEye, point.mirror, 4).mean);
         // A close-up is 1e-4 wide at distances of up to 10 m, at angles of up to 60 degrees.
         EXPECT_LE(glm::length(seen - point.hit), 2.0 * kCloseUpAngle * 10.0);
     }
@@ -65,11 +40,10 @@ TEST_F(PolygonMap, TracingShowsTheWorkedHits) {
 
 TEST_F(PolygonMap, ShowsTheInfiniteMapInTheWorkedRoom) {
     constexpr std::uint32_t kSize = 128;
-    MapObserver observer(device(), room_with_mirror_wall(), MapKind::polygon,
-                         map_settings(kSize, kCapturePoint));
+    MapObserver observer(device(), worked_room(), MapKind::polygon, map_settings(kSize, kWorkedCapturePoint));
     for (const WorkedPoint& point : kWorkedPoints) {
-        const glm::dvec3 seen = kRoom.decode(observer.look(kEye, point.mirror, 4).mean);
-        const double error = angle_between(seen - kCapturePoint, point.infinite - kCapturePoint);
+        const glm::dvec3 seen = kWorkedRoom.decode(observer.look(kWorkedEye, point.mirror, 4).mean);
+        const double error = angle_between(seen - kWorkedCapturePoint, point.infinite - kWorkedCapturePoint);
         EXPECT_LE(error, kTexelError * texel_angle(kSize))
             << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
     }
@@ -197,7 +171,7 @@ TEST_F(PolygonMap, TexelsLookWhereTheyShould) {
     constexpr std::uint32_t kSize = 32;
     const glm::dvec3 centre(1.5, 1.0, 2.0);
     Scene scene;
-    kRoom.add_to(scene);
+    kWorkedRoom.add_to(scene);
     add_ball(scene, glm::vec3(centre));
     MapObserver observer(device(), scene, MapKind::polygon, map_settings(kSize));
     const std::vector<Image> maps = observer.maps(look_at({3, 2, 4}, centre));
@@ -209,7 +183,7 @@ TEST_F(PolygonMap, TexelsLookWhereTheyShould) {
         for (std::uint32_t row = 0; row < map.height; ++row) {
             for (std::uint32_t column = 0; column < map.width; ++column) {
                 const glm::dvec2 p = texel_centre(column, row, kSize);
-                const glm::dvec3 seen = kRoom.decode(glm::dvec3(map.at(column, row))) - centre;
+                const glm::dvec3 seen = kWorkedRoom.decode(glm::dvec3(map.at(column, row))) - centre;
                 const double depth = face % 2 == 0 ? seen[axis] : -seen[axis];
                 ASSERT_GT(depth, 0.0);
                 const glm::dvec2 q(seen[(axis + 1) % 3] / depth, seen[(axis + 2) % 3] / depth);

@@ -1,67 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
-// direct/cube-map and direct/proxy-map in rooms that shine with their own position: the worked room of mirror
-// z = 0, eye (1, 1.6, 4) and capture point (2, 1.5, 2.5) again.
+// direct/cube-map and direct/proxy-map in rooms that shine with their own position.
 #include "renderers/reflection_map/proxy_box.h"
-#include "support/coded_room.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
+#include "support/worked_room.h"
 
 #include "map_observer.h"
 
 #include <glm/geometric.hpp>
 
-#include <array>
 #include <cmath>
 
 namespace utsuri::test {
 namespace {
 
-constexpr unsigned kLowerZ = 1u << 4;
 constexpr std::uint32_t kSize = 128;
 /// As in polygon_map_test.cpp: texels of 2 / N rad at the centre of a face, looked at to a quarter.
 constexpr double kTexel = 0.25 * 2.0 / kSize;
-
-const CodedRoom kRoom({0, 0, 0}, {4, 3, 5});
-const glm::dvec3 kEye(1, 1.6, 4);
-const glm::dvec3 kCapturePoint(2, 1.5, 2.5);
-
-struct WorkedPoint {
-    glm::dvec3 mirror;
-    glm::dvec3 hit;
-    glm::dvec3 infinite;
-};
-const std::array<WorkedPoint, 4> kWorkedPoints = {{{{2.5, 2, 0}, {4, 2.4, 4}, {2.9375, 1.75, 5}},
-                                                   {{2, 1.5, 0}, {3.25, 1.375, 5}, {2.625, 1.4375, 5}},
-                                                   {{1, 1, 0}, {1, 0.25, 5}, {2, 1.125, 5}},
-                                                   {{3, 2.5, 0}, {4, 2.95, 2}, {3.25, 2.0625, 5}}}};
-
-Scene room_with_mirror_wall() {
-    Scene scene;
-    kRoom.add_to(scene, kLowerZ);
-    add(scene, quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0}), mirror());
-    return scene;
-}
 
 class PixelMaps : public DeviceTest {};
 
 // A room that is its own proxy has no parallax error at all: exact where the infinite map is wrong by up to
 // 73 degrees.
 TEST_F(PixelMaps, ProxyShowsTheTrueHitsInAnEmptyRoom) {
-    MapObserver observer(device(), room_with_mirror_wall(), MapKind::proxy,
-                         map_settings(kSize, kCapturePoint));
+    MapObserver observer(device(), worked_room(), MapKind::proxy, map_settings(kSize, kWorkedCapturePoint));
     for (const WorkedPoint& point : kWorkedPoints) {
-        const glm::dvec3 seen = kRoom.decode(observer.look(kEye, point.mirror, 4).mean);
-        EXPECT_LE(angle_between(seen - kCapturePoint, point.hit - kCapturePoint), kTexel)
+        const glm::dvec3 seen = kWorkedRoom.decode(observer.look(kWorkedEye, point.mirror, 4).mean);
+        EXPECT_LE(angle_between(seen - kWorkedCapturePoint, point.hit - kWorkedCapturePoint), kTexel)
             << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
     }
 }
 
 TEST_F(PixelMaps, CubeShowsTheInfiniteMap) {
-    MapObserver observer(device(), room_with_mirror_wall(), MapKind::cube,
-                         map_settings(kSize, kCapturePoint));
+    MapObserver observer(device(), worked_room(), MapKind::cube, map_settings(kSize, kWorkedCapturePoint));
     for (const WorkedPoint& point : kWorkedPoints) {
-        const glm::dvec3 seen = kRoom.decode(observer.look(kEye, point.mirror, 4).mean);
-        EXPECT_LE(angle_between(seen - kCapturePoint, point.infinite - kCapturePoint), kTexel)
+        const glm::dvec3 seen = kWorkedRoom.decode(observer.look(kWorkedEye, point.mirror, 4).mean);
+        EXPECT_LE(angle_between(seen - kWorkedCapturePoint, point.infinite - kWorkedCapturePoint), kTexel)
             << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
     }
 }
