@@ -2,7 +2,7 @@
 // Reflection maps: a polyhedron of maps captured from one point in world space for each reflective instance.
 #ifndef UTSURI_INTEROP_REFLECTION_H
 #define UTSURI_INTEROP_REFLECTION_H
-#include "interop/prelude.h"
+#include "interop/proxy.h"
 INTEROP_BEGIN
 
 /// Faces of a polyhedron of maps, at most: each costs its share of a piece's corners. An icosahedron has 20.
@@ -22,7 +22,7 @@ INTEROP_CONSTANT MAP_KIND_PIECES = 2u;
 
 /// By the mirrored direction at each pixel, as if what is mirrored were infinitely far.
 INTEROP_CONSTANT MAP_KIND_CUBE = 3u;
-/// By the direction from the capture point to where the mirrored ray leaves a box that stands in for the
+/// By the direction from the capture point to where the mirrored ray leaves what stands in for the
 /// surroundings.
 INTEROP_CONSTANT MAP_KIND_PROXY = 4u;
 
@@ -43,8 +43,7 @@ struct MapFace {
 struct ReflectorInfo {
     vec3 capture_point;
     uint first_texel;  ///< of this reflector's maps, in texels
-    vec3 proxy_lower;  ///< box that stands in for the surroundings
-    vec3 proxy_upper;
+    ProxyInfo proxy;
     vec3 map_right;  ///< unit axes that a sphere map was captured along
     vec3 map_up;
     vec3 map_forward;

@@ -2,7 +2,7 @@
 // What rough lobes reflect: cubes of maps, each convolved with the lobe of one roughness.
 #ifndef UTSURI_INTEROP_ROUGH_MAP_H
 #define UTSURI_INTEROP_ROUGH_MAP_H
-#include "interop/prelude.h"
+#include "interop/proxy.h"
 INTEROP_BEGIN
 
 /// Faces in the order of CUBE_FACES.
@@ -13,8 +13,7 @@ INTEROP_CONSTANT ROUGH_MAP_BORDER = 1u;
 /// The maps of one instance of the scene: levels at even steps of perceptual roughness.
 struct RoughMapInfo {
     vec3 capture_point;
-    vec3 proxy_lower;  ///< box that stands in for the surroundings
-    vec3 proxy_upper;
+    ProxyInfo proxy;
     uint first_level;
     uint levels;            ///< 0 where no lobe is rough
     float least_roughness;  ///< of the first level

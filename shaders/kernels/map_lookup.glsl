@@ -5,6 +5,7 @@
 layout(constant_id = SPEC_FACE_COUNT) const uint FACE_COUNT = CUBE_FACES;
 
 layout(scalar, binding = BINDING_MAP_FACES) readonly restrict buffer MapFaces { MapFace map_faces[]; };
+layout(scalar, binding = BINDING_PROXY_PLANES) readonly restrict buffer ProxyPlanes { ProxyPlane proxy_planes[]; };
 
 #include "lib/camera.glsl"
 #include "lib/map_face.glsl"
@@ -17,11 +18,19 @@ vec3 polygon_map(uint first_texel, vec3 direction) {
     return sample_map(first_texel + face * stride * stride, p.xy / p.z);
 }
 
+vec3 leave_proxy(vec3 origin, vec3 direction, ProxyInfo proxy) {
+    if (HAS_PROXY_PLANES == 0u || proxy.planes == 0u) return leave_box(origin, direction, proxy.lower, proxy.upper);
+    float t = INFINITY;
+    for (uint i = 0u; i < proxy.planes; ++i)
+        t = leave_half_space(t, origin, direction, proxy_planes[proxy.first_plane + i]);
+    return origin + max(t, 0.0) * direction;
+}
+
 /// The direction from the capture point that the method means to look up, were it not for interpolation.
 /// @param wi the mirrored direction
 vec3 wanted_direction(Surface surface, ReflectorInfo reflector, vec3 wi) {
     if (MAP_KIND != MAP_KIND_PROXY) return wi;
-    return leave_box(surface.position, wi, reflector.proxy_lower, reflector.proxy_upper) - reflector.capture_point;
+    return direction_to(leave_proxy(surface.position, wi, reflector.proxy), reflector.capture_point, wi);
 }
 
 /// The direction that it does look up.

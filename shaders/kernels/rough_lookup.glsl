@@ -6,11 +6,15 @@
 #include "lib/proxy.glsl"
 
 layout(constant_id = SPEC_MAP_KIND) const uint MAP_KIND = MAP_KIND_POLYGON;
+layout(constant_id = SPEC_HAS_PROXY_PLANES) const uint HAS_PROXY_PLANES = 0u;
 
 layout(scalar, binding = BINDING_ROUGH_MAPS) readonly restrict buffer RoughMaps { RoughMapInfo rough_maps[]; };
 layout(scalar, binding = BINDING_ROUGH_LEVELS) readonly restrict buffer RoughLevels { RoughLevel rough_levels[]; };
 layout(scalar, binding = BINDING_ROUGH_TEXELS) readonly restrict buffer RoughTexels { vec3 rough_texels[]; };
 layout(scalar, binding = BINDING_LOBE_ALBEDO) readonly restrict buffer LobeAlbedos { LobeAlbedo lobe_albedos[]; };
+layout(scalar, binding = BINDING_ROUGH_PROXY_PLANES) readonly restrict buffer RoughProxyPlanes {
+    ProxyPlane rough_proxy_planes[];
+};
 
 /// Bilinear value of a level.
 vec3 rough_level(RoughLevel level, vec3 direction) {
@@ -25,13 +29,19 @@ vec3 rough_level(RoughLevel level, vec3 direction) {
                mix(rough_texels[texel + stride], rough_texels[texel + stride + 1u], f.x), f.y);
 }
 
+vec3 leave_rough_proxy(vec3 origin, vec3 direction, ProxyInfo proxy) {
+    if (HAS_PROXY_PLANES == 0u || proxy.planes == 0u) return leave_box(origin, direction, proxy.lower, proxy.upper);
+    float t = INFINITY;
+    for (uint i = 0u; i < proxy.planes; ++i)
+        t = leave_half_space(t, origin, direction, rough_proxy_planes[proxy.first_plane + i]);
+    return origin + max(t, 0.0) * direction;
+}
+
 /// The direction from the capture point that stands for the mirrored one. Sphere maps are in eye space: rough lobes have
 /// none, and take what is far.
 vec3 rough_direction(Surface surface, RoughMapInfo map, vec3 wi) {
     if (MAP_KIND == MAP_KIND_PROXY || MAP_KIND == MAP_KIND_DISTANCE) {
-        vec3 direction = leave_box(surface.position, wi, map.proxy_lower, map.proxy_upper) - map.capture_point;
-        // A flat box may be left where the capture point is.
-        return direction != vec3(0.0) ? direction : wi;
+        return direction_to(leave_rough_proxy(surface.position, wi, map.proxy), map.capture_point, wi);
     }
     // Opposite vectors may cancel; nothing can be interpolated there.
     return MAP_KIND == MAP_KIND_POLYGON && drawn_reflection != vec3(0.0) ? drawn_reflection : wi;

@@ -98,6 +98,7 @@ MapSettings PictureOptions::map_settings() const {
     if (!capture_point.empty()) settings.capture_point = parse_point(capture_point);
     const bool is_file = polyhedron.find_first_of("./\\") != std::string::npos;
     settings.polyhedron = is_file ? read_polyhedron(polyhedron) : platonic_solid(polyhedron);
+    if (proxy) settings.proxy = read_proxy(*proxy);
     settings.tolerance = static_cast<float>(tolerance);
     settings.refinement.edge = polygon_edge;
     if (polygon_error) settings.refinement.error = *polygon_error * std::numbers::pi / 180.0;
@@ -154,6 +155,12 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
             "planes (with a dot in its name), x y z distance a line")
         ->type_name("NAME|FILE")
         ->capture_default_str();
+    command
+        .add_option("--proxy", options.proxy,
+                    "What stands in for the surroundings where proxy-map, planar and rough lobes correct "
+                    "look-ups, for all objects: a file of planes, x y z distance a line, normals out of the "
+                    "convex polyhedron, distances from the world's origin in metres [fitted to each object]")
+        ->type_name("FILE");
     command
         .add_option("--polygon-edge", options.polygon_edge,
                     "Cut reflectors into polygons with edges of at most so many metres [as modelled]")

@@ -35,6 +35,7 @@ struct PictureOptions {
     std::uint32_t light_samples = LightCacheSettings().samples;
     std::string capture_point;
     std::string polyhedron = "cube";
+    std::optional<std::string> proxy;
     std::optional<double> polygon_edge;
     std::optional<double> polygon_error;
     double tolerance = 1.0;

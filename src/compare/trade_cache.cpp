@@ -75,6 +75,15 @@ Json planes_to_json(const Polyhedron& polyhedron) {
     return planes;
 }
 
+/// Null where proxies are fitted.
+Json planes_to_json(const std::optional<GivenProxy>& proxy) {
+    if (!proxy) return nullptr;
+    Json planes = Json::array();
+    for (const HalfSpace& plane : proxy->planes)
+        planes.push_back({plane.normal.x, plane.normal.y, plane.normal.z, plane.offset});
+    return planes;
+}
+
 Json sweep_to_json(const ComparisonSettings& settings) {
     Json sweep = Json::array();
     for (const TradeSetting& setting : swept_settings(settings.methods, settings.maps))
@@ -102,6 +111,7 @@ Json trade_key(const RenderInput& input, const ComparisonSettings& settings,
             {"height", settings.render.height},
             {"options", words},
             {"polyhedron", planes_to_json(settings.maps.polyhedron)},
+            {"proxy", planes_to_json(settings.maps.proxy)},
             {"light", to_string(settings.light)},
             {"sweep", sweep_to_json(settings)},
             {"samples", settings.samples},

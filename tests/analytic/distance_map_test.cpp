@@ -43,17 +43,20 @@ class DistanceMap : public DeviceTest {
         MeasuredError measured;
     };
     static Errors errors_at(const Scene& scene, MapKind kind, const glm::dvec3& target) {
+        return errors_at(scene, kind, map_settings(kSize, kWorkedCapturePoint), kWorkedEye, target);
+    }
+    static Errors errors_at(const Scene& scene, MapKind kind, MapSettings settings, const glm::dvec3& eye,
+                            const glm::dvec3& target) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
         FilledLight light;
         light.settings = {1.0 / 20.0, 1};
-        MapSettings settings = map_settings(kSize, kWorkedCapturePoint);
         settings.samples = 1;
         settings.predicts_errors = true;
         RenderSettings picture;
         picture.width = picture.height = 1;
-        MapRenderer renderer(device(), data, gpu_scene, light, look_at(kWorkedEye, target, 1e-3), kind,
-                             picture, settings);
+        MapRenderer renderer(device(), data, gpu_scene, light, look_at(eye, target, 1e-3), kind, picture,
+                             settings);
         Progress progress;
         renderer.prepare(progress);
         return {renderer.predict_errors().front(), renderer.measure_errors().front()};
@@ -140,6 +143,38 @@ TEST_F(DistanceMap, ProxyIsPredictedToBeRightWhereItIs) {
         const Errors errors = errors_at(worked_room(), MapKind::proxy, kWorkedPoints[i].mirror);
         EXPECT_LE(errors.measured.angle, 1e-5f);
         EXPECT_LE(static_cast<double>(errors.predicted.parallax), kSlack[i]);
+    }
+}
+
+TEST_F(DistanceMap, PlanesArePredictedToBeRightWhereTheyAre) {
+    for (std::size_t i = 0; i < kWorkedPoints.size(); ++i) {
+        const Errors errors =
+            errors_at(turned_worked_room(), MapKind::proxy,
+                      map_settings(kSize, turned(kWorkedCapturePoint, kWorkedTurn)),
+                      turned(kWorkedEye, kWorkedTurn), turned(kWorkedPoints[i].mirror, kWorkedTurn));
+        EXPECT_LE(errors.measured.angle, 1e-5f);
+        EXPECT_GE(errors.predicted.parallax + errors.predicted.texel, errors.measured.angle);
+    }
+    const HexagonalHall hall;
+    for (const glm::dvec3& point : hall.mirror_points) {
+        const Errors errors =
+            errors_at(hall.scene(), MapKind::proxy, map_settings(kSize, hall.capture_point), hall.eye, point);
+        EXPECT_LE(errors.measured.angle, 1e-5f);
+        EXPECT_LE(errors.predicted.parallax, 1e-3f);
+        EXPECT_GE(errors.predicted.parallax + errors.predicted.texel, errors.measured.angle);
+    }
+}
+
+// A room given with its sides and its floor where they are not.
+TEST_F(DistanceMap, PlanesArePredictedToBeWrongWhereTheyAreNot) {
+    const HexagonalHall hall;
+    MapSettings settings = map_settings(kSize, hall.capture_point);
+    settings.proxy = GivenProxy{"wrong.txt", hexagonal_room({1, 0, -0.5}, 2.0, 2.8, 0.5).planes()};
+    settings.proxy->planes[6].offset = 0.5;
+    for (const glm::dvec3& point : hall.mirror_points) {
+        const Errors errors = errors_at(hall.scene(), MapKind::proxy, settings, hall.eye, point);
+        EXPECT_GE(errors.measured.angle, 1e-2f);
+        EXPECT_GE(errors.predicted.parallax + errors.predicted.texel, errors.measured.angle);
     }
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // direct/cube-map and direct/proxy-map in rooms that shine with their own position.
-#include "renderers/reflection_map/proxy_box.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
 #include "support/worked_room.h"
@@ -9,7 +8,9 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace utsuri::test {
 namespace {
@@ -66,39 +67,103 @@ TEST_F(PixelMaps, CubeNeedsNoFinePolygons) {
     EXPECT_GE(mean_error(MapKind::polygon), 3.0 * cube);
 }
 
-// The fitted box is the room, whatever stands in it; rays to its corners and furniture do not sway it.
-TEST(ProxyBox, FindsTheWallsOfAFurnishedRoom) {
-    Scene scene;
-    add(scene, room({-2, 0, -3}, {4, 2.5f, 3}), lambert(glm::vec3(0.5f)));
-    add(scene, room({2, 0, -1}, {3.5f, 0.9f, 1.2f}), lambert(glm::vec3(0.5f)));
-    add(scene, icosphere({0.4f, 1.1f, 0.2f}, 0.3f, 2), mirror());
-    const SceneData data = prepare_scene_data(scene);
-    const glm::dvec3 point = glm::dvec3(0.4, 1.1, 0.2) - data.origin;
-    const Bounds box = fit_proxy_box(data, 2, point);
-    const glm::dvec3 lower = glm::dvec3(box.lower) + data.origin;
-    const glm::dvec3 upper = glm::dvec3(box.upper) + data.origin;
-    EXPECT_LE(glm::distance(lower, glm::dvec3(-2, 0, -3)), 1e-5);
-    EXPECT_LE(glm::distance(upper, glm::dvec3(4, 2.5, 3)), 1e-5);
+/// Shows what an eye sees in a mirror by proxy-map: the true hits, up to a texel.
+void expect_true_hits(MapObserver& observer, const CodedWalls& walls, const glm::dvec3& eye,
+                      const std::vector<glm::dvec3>& mirror_points, const glm::dvec3& normal,
+                      const glm::dvec3& capture_point) {
+    for (const glm::dvec3& point : mirror_points) {
+        const glm::dvec3 seen = walls.decode(observer.look(eye, point, 4).mean);
+        const glm::dvec3 hit = walls.wall_point(point, glm::reflect(point - eye, normal));
+        EXPECT_LE(angle_between(seen - capture_point, hit - capture_point), kTexel)
+            << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
+    }
 }
 
-TEST(ProxyBox, HoldsItsReflectorAndItsPoint) {
-    // A mirror that reaches through the only wall there is.
-    Scene scene;
-    add(scene, quad({-5, -5, -1}, {10, 0, 0}, {0, 10, 0}), lambert(glm::vec3(0.5f)));
-    add(scene, icosphere({0, 0, 0}, 2.0f, 1), mirror());
-    const SceneData data = prepare_scene_data(scene);
-    const Bounds box = fit_proxy_box(data, 1, -data.origin);
-    EXPECT_LE(static_cast<double>(box.lower.z) + data.origin.z, -1.9);
-    EXPECT_GE(static_cast<double>(box.upper.x) + data.origin.x, 1.9);
+TEST_F(PixelMaps, ProxyShowsTheTrueHitsInATurnedRoom) {
+    const glm::dvec3 capture_point = turned(kWorkedCapturePoint, kWorkedTurn);
+    MapObserver observer(device(), turned_worked_room(), MapKind::proxy, map_settings(kSize, capture_point));
+    std::vector<glm::dvec3> mirror_points;
+    for (const WorkedPoint& point : kWorkedPoints)
+        mirror_points.push_back(turned(point.mirror, kWorkedTurn));
+    expect_true_hits(observer, turned_worked_walls(), turned(kWorkedEye, kWorkedTurn), mirror_points,
+                     turned({0, 0, 1}, kWorkedTurn), capture_point);
 }
 
-TEST(ProxyBox, IsTheSceneWhereNothingSurrounds) {
+TEST_F(PixelMaps, ProxyShowsTheTrueHitsInAHexagonalRoom) {
+    const HexagonalHall hall;
+    MapObserver observer(device(), hall.scene(), MapKind::proxy, map_settings(kSize, hall.capture_point));
+    expect_true_hits(observer, hall.walls, hall.eye, hall.mirror_points, {0, 0, 1}, hall.capture_point);
+}
+
+// Walls hide what is beyond them of a mirror, and no ray that is seen starts there.
+TEST_F(PixelMaps, ProxyShowsTheTrueHitsInAMirrorThatReachesOutOfItsRoom) {
     Scene scene;
-    add(scene, icosphere({0, 0, 0}, 2.0f, 1), mirror());
-    const SceneData data = prepare_scene_data(scene);
-    const Bounds box = fit_proxy_box(data, 0, {0, 0, 0});
-    EXPECT_EQ(box.lower, data.bounds.lower);
-    EXPECT_EQ(box.upper, data.bounds.upper);
+    kWorkedRoom.add_to(scene);
+    add(scene, quad({-2, -2, 1}, {8, 0, 0}, {0, 7, 0}), mirror());
+    MapObserver observer(device(), scene, MapKind::proxy, map_settings(kSize, kWorkedCapturePoint));
+    for (const glm::dvec3& point : {glm::dvec3(2.5, 2, 1), glm::dvec3(1, 1, 1), glm::dvec3(3, 0.4, 1)}) {
+        const glm::dvec3 seen = kWorkedRoom.decode(observer.look(kWorkedEye, point, 4).mean);
+        const glm::dvec3 hit =
+            kWorkedRoom.wall_point(point, glm::reflect(point - kWorkedEye, glm::dvec3(0, 0, 1)));
+        EXPECT_LE(angle_between(seen - kWorkedCapturePoint, hit - kWorkedCapturePoint), kTexel)
+            << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
+    }
+}
+
+TEST_F(PixelMaps, AGivenProxyThatIsTheRoomIsTheFittedOne) {
+    RenderSettings picture;
+    picture.width = picture.height = 32;
+    const auto largest_difference = [&](const Scene& scene, const Camera& camera, MapSettings settings,
+                                        const std::vector<HalfSpace>& planes) {
+        const Image fitted =
+            MapObserver(device(), scene, MapKind::proxy, settings).picture(camera, picture, 4);
+        settings.proxy = GivenProxy{"room.txt", planes};
+        const Image given =
+            MapObserver(device(), scene, MapKind::proxy, settings).picture(camera, picture, 4);
+        float largest = 0.0f;
+        for (std::size_t i = 0; i < given.pixels.size(); ++i)
+            largest = std::max(largest, glm::length(given.pixels[i] - fitted.pixels[i]));
+        return largest;
+    };
+    const std::vector<HalfSpace> box = turned_room({0, 0, 0}, {4, 3, 5}, 0.0).planes();
+    EXPECT_EQ(largest_difference(worked_room(), look_at(kWorkedEye, {2, 1.5, 0}),
+                                 map_settings(kSize, kWorkedCapturePoint), box),
+              0.0f);
+    const HexagonalHall hall;
+    // Planes of walls whose corners are rounded turn by 1e-7 and some; so do places in maps of up to eight
+    // levels, of which a texel shows as much as a wall has.
+    EXPECT_LE(largest_difference(hall.scene(), look_at(hall.eye, {1, 1.3, -1.3}),
+                                 map_settings(kSize, hall.capture_point), hall.walls.planes()),
+              8.0f * kSize * 1e-6f);
+}
+
+// A given proxy need not hold the mirror. Rays that start outside and come in leave on the far side; those
+// that do not are looked up where they start.
+TEST_F(PixelMaps, RaysFromOutsideAProxyLeaveItOnTheFarSide) {
+    Scene scene;
+    kWorkedRoom.add_to(scene);
+    add(scene, quad({0.1f, 0.1f, 1}, {3.8f, 0, 0}, {0, 2.8f, 0}), mirror());
+    // [1, 3] x [0, 3] x [0, 4], and the same cut off where x + y = 5.5, which takes planes.
+    std::vector<HalfSpace> box = turned_room({1, 0, 0}, {3, 3, 4}, 0.0).planes();
+    std::vector<HalfSpace> cut = box;
+    cut.push_back({glm::normalize(glm::dvec3(1, 1, 0)), 5.5 / std::sqrt(2.0)});
+    for (const std::vector<HalfSpace>& planes : {box, cut}) {
+        MapSettings settings = map_settings(kSize, kWorkedCapturePoint);
+        settings.proxy = GivenProxy{"proxy.txt", planes};
+        MapObserver observer(device(), scene, MapKind::proxy, settings);
+        const auto expect_looked_up = [&](const glm::dvec3& eye, const glm::dvec3& mirror,
+                                          const glm::dvec3& place) {
+            const glm::dvec3 seen = kWorkedRoom.decode(observer.look(eye, mirror, 4).mean);
+            const glm::dvec3 expected =
+                kWorkedRoom.wall_point(kWorkedCapturePoint, place - kWorkedCapturePoint);
+            EXPECT_LE(angle_between(seen - kWorkedCapturePoint, expected - kWorkedCapturePoint), kTexel)
+                << "seen " << seen.x << ' ' << seen.y << ' ' << seen.z;
+        };
+        // Mirrored along (0.4, 0.1, 1): into the box at x = 1, out of it at z = 4.
+        expect_looked_up({0.1, 0.9, 2}, {0.5, 1, 1}, {1.7, 1.3, 4});
+        // Mirrored along (-0.4, 0, 1): past it.
+        expect_looked_up({0.9, 1.5, 2}, {0.5, 1.5, 1}, {0.5, 1.5, 1});
+    }
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ import re
 import unittest
 
 import gltf_scene
-from cli_case import USAGE, CliCase
+from cli_case import INPUT, USAGE, CliCase
 
 SUBCOMMANDS = ("compare", "render", "trade", "info", "diff", "devices")
 
@@ -124,6 +124,24 @@ class BadOptions(CliCase):
 
     def test_polyhedra(self):
         self.refuse_picture_option("--polyhedron", ("sphere", "cube2", ""), "dodecahedron", "file of planes")
+
+    def test_proxies(self):
+        def refuse(text, *words):
+            path = self.scratch / "proxy.txt"
+            path.write_text(text, encoding="utf-8")
+            for command in (("render", self.scene("office"), "-o", "picture.exr"),
+                            ("compare", self.scene("office"), "-o", "folder")):
+                self.fail_with(INPUT, ("read proxy", "proxy.txt", *words), *command, "--proxy", path)
+
+        self.fail_with(INPUT, ("read proxy", "nowhere.txt", "cannot be opened"),
+                       "render", self.scene("office"), "-o", "picture.exr", "--proxy", "nowhere.txt")
+        box = "1 0 0 4\n-1 0 0 0\n0 1 0 3\n0 -1 0 0\n0 0 1 5\n"
+        refuse(box + "0 0 -1\n", "line 6", "four numbers", "distance along it from the world's origin")
+        refuse(box + "0 0 0 0\n", "line 6", "not zero")
+        refuse("1 0 0 4\n", "1 planes", "a proxy has 4 to 32")
+        refuse(box, "enclose nothing", "normals that point out of the proxy")
+        refuse(box + "0 0 -1 -6\n", "enclose nothing")
+        refuse(box + "0 0 -1 0\n1 0 0 9\n", "line 7", "bounds no face")
 
     def test_cameras(self):
         self.refuse_picture_option("--camera", ("1", "-1", "back"), "choose camera", "0: front")

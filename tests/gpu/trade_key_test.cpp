@@ -79,6 +79,13 @@ TEST_F(TradeKey, FollowsCameraPictureOptionsAndSweep) {
     other = settings();
     other.maps.polyhedron = platonic_solid("octahedron");
     EXPECT_NE(key(small_scene(), camera(), other), before);
+    other = settings();
+    other.maps.proxy =
+        GivenProxy{"room.txt", {{{1, 0, 0}, 2}, {{-1, -1, -1}, 2}, {{0, 1, 0}, 2}, {{0, 0, 1}, 2}}};
+    const std::string with_proxy = key(small_scene(), camera(), other);
+    EXPECT_NE(with_proxy, before);
+    other.maps.proxy->planes[1].offset = 3;
+    EXPECT_NE(key(small_scene(), camera(), other), with_proxy);
 }
 
 }  // namespace

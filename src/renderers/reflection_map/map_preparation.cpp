@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/map_preparation.h"
 
+#include "interop/specialization.h"
+
 #include <chrono>
 
 namespace utsuri {
 
 RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps) {
-    const bool fits_boxes = kind == MapKind::proxy || keeps_distances(kind);
-    return {maps.size, maps.samples, maps.capture_point, fits_boxes};
+    const bool uses_proxies = kind == MapKind::proxy || keeps_distances(kind);
+    return {maps.size, maps.samples, maps.capture_point, uses_proxies, maps.proxy};
+}
+
+Specialization with_proxies(Specialization specialization, const ReflectionMaps& maps,
+                            const RoughMaps& rough_maps) {
+    const bool has_planes = !maps.proxy_planes().empty() || !rough_maps.proxy_planes().empty();
+    specialization[interop::SPEC_HAS_PROXY_PLANES] = has_planes ? 1 : 0;
+    return specialization;
 }
 
 void prepare_light_and_maps(const GpuScene& scene, FilledLight& filled, LightCache& light,

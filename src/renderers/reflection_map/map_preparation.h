@@ -12,6 +12,10 @@ namespace utsuri {
 /// What rough lobes reflect beside maps of a kind.
 RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps);
 
+/// Constants of kernels that look maps up, told what their proxies are.
+Specialization with_proxies(Specialization specialization, const ReflectionMaps& maps,
+                            const RoughMaps& rough_maps);
+
 /// Fills a light cache, captures maps lit from it, and adds what that took to the statistics.
 /// @param filled is filled by the first renderer that needs it; its cost counts as if it had been filled here
 /// @param distances captured too, if not null

@@ -66,7 +66,7 @@ Bindings MapRenderer::drawing_bindings() const {
 }
 
 Specialization MapRenderer::drawing_specialization() const {
-    Specialization specialization = scene_.specialization();
+    Specialization specialization = with_proxies(scene_.specialization(), maps_, rough_maps_);
     specialization[interop::SPEC_MAP_KIND] = whole_map_kind(kind_);
     specialization[interop::SPEC_MAP_SIZE] = map_settings_.size;
     if (distances_) specialization[interop::SPEC_DISTANCE_SIZE] = distances_->size();

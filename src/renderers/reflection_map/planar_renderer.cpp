@@ -41,8 +41,8 @@ PlanarRenderer::PlanarRenderer(Device& device, const SceneData& data, const GpuS
       rough_maps_(device, data, rough_map_settings(MapKind::proxy, map_settings)),
       light_cache_(device, data, light.settings),
       drawer_(device, data, mirrors_, maps_.reflectors(), maps_.faces(),
-              with_maps(scene.specialization(), map_settings.size), drawing_bindings(), settings.width,
-              settings.height) {
+              with_maps(with_proxies(scene.specialization(), maps_, rough_maps_), map_settings.size),
+              drawing_bindings(), settings.width, settings.height) {
     look_from(camera);
 }
 

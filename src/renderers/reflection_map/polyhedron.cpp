@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/polyhedron.h"
 
+#include "renderers/reflection_map/plane_file.h"
+
 #include "base/error.h"
 
 #include <fmt/format.h>
@@ -9,10 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
 namespace utsuri {
 namespace {
@@ -106,23 +106,6 @@ std::vector<glm::dvec3> cut(const std::vector<glm::dvec3>& polygon, const Polyhe
     return kept;
 }
 
-Polyhedron::Plane parse_plane(const std::string& line, const std::filesystem::path& path, int number) {
-    const auto fail = [&](const std::string& problem) -> void {
-        throw InputError("read polyhedron", fmt::format("{}, line {}", path.string(), number), problem);
-    };
-    std::istringstream stream(line);
-    glm::dvec3 normal(0.0);
-    double distance = 0.0;
-    std::string rest;
-    if (!(stream >> normal.x >> normal.y >> normal.z >> distance) || (stream >> rest))
-        fail("a plane is four numbers: its normal x y z and its distance from the capture point");
-    const double length = glm::length(normal);
-    if (!(length > 0.0) || !std::isfinite(length)) fail("the normal must be finite and not zero");
-    if (!(distance > 0.0) || !std::isfinite(distance))
-        fail("the distance must be positive: the capture point lies inside");
-    return {normal / length, distance};
-}
-
 void check_closed(const Polyhedron& polyhedron, const std::filesystem::path& path) {
     for (std::size_t i = 0; i < polyhedron.planes.size(); ++i) {
         const std::vector<glm::dvec3> corners = face_corners(polyhedron, i);
@@ -154,20 +137,14 @@ Polyhedron platonic_solid(std::string_view name) {
 }
 
 Polyhedron read_polyhedron(const std::filesystem::path& path) {
-    std::ifstream stream(path);
-    if (!stream) throw InputError("read polyhedron", path.string(), "it cannot be opened");
+    const PlaneFilePurpose purpose{"read polyhedron", "polyhedron of maps",
+                                   "distance from the capture point"};
     Polyhedron result{path.string(), {}};
-    int number = 0;
-    for (std::string line; std::getline(stream, line);) {
-        ++number;
-        line = line.substr(0, line.find('#'));
-        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-        result.planes.push_back(parse_plane(line, path, number));
-    }
-    if (result.planes.size() < 4 || result.planes.size() > interop::MAP_MOST_FACES) {
-        throw InputError("read polyhedron", path.string(),
-                         fmt::format("it has {} planes; a polyhedron of maps has 4 to {}",
-                                     result.planes.size(), interop::MAP_MOST_FACES));
+    for (const PlaneLine& line : read_planes(path, purpose)) {
+        if (!(line.plane.offset > 0.0))
+            fail_at_line(path, purpose, line.number,
+                         "the distance must be positive: the capture point lies inside");
+        result.planes.push_back({line.plane.normal, line.plane.offset});
     }
     check_closed(result, path);
     return result;

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/proxy_box.h"
 
-#include "renderers/reflection_map/view_directions.h"
-
-#include "geometry/reference_intersection.h"
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -16,26 +12,9 @@
 namespace utsuri {
 namespace {
 
-constexpr int kDirections = 1024;
 /// Rounds of the search over the six sides, each a scan at the distances that rays met and no others: a side
 /// that fits lies where something is.
 constexpr int kRounds = 4;
-
-struct Sight {
-    glm::dvec3 direction;  ///< unit
-    double distance;
-};
-
-std::vector<Sight> look_around(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point) {
-    std::vector<Sight> sights;
-    for (const glm::dvec3& direction : view_directions(kDirections)) {
-        const auto hit = closest_hit_reference(
-            scene.bvh, point, direction, std::numeric_limits<double>::infinity(),
-            [&](std::uint32_t triangle) { return scene.triangle_infos[triangle].instance != instance; });
-        if (hit) sights.push_back({direction, hit->t});
-    }
-    return sights;
-}
 
 /// Distances of the six sides from the point: side 2 axis + (upper ? 1 : 0).
 using Sides = std::array<double, 6>;
@@ -61,13 +40,15 @@ double mean_misfit(const std::vector<Sight>& sights, const Sides& sides) {
 }
 
 /// Distances that the sights aimed at a side reach towards it, a few dozen of them in order.
-std::vector<double> candidates(const std::vector<Sight>& sights, std::size_t side, double least) {
+std::vector<double> candidates(const Surroundings& around, std::size_t side, double least) {
     std::vector<double> reached;
-    for (const Sight& sight : sights) {
+    for (const Sight& sight : around.sights) {
         const double towards = reach(sight, side);
         const glm::dvec3 size = glm::abs(sight.direction);
-        if (towards > least && size[static_cast<int>(side / 2)] >= 0.5 * std::max({size.x, size.y, size.z}))
-            reached.push_back(towards);
+        // What a place touches is beyond it, whatever rounding made of either.
+        const bool is_beyond = towards > 0.0 && towards > least - around.tolerance;
+        if (is_beyond && size[static_cast<int>(side / 2)] >= 0.5 * std::max({size.x, size.y, size.z}))
+            reached.push_back(std::max(towards, least));
     }
     std::sort(reached.begin(), reached.end());
     constexpr std::size_t kMost = 48;
@@ -78,38 +59,31 @@ std::vector<double> candidates(const std::vector<Sight>& sights, std::size_t sid
     return spread;
 }
 
-Bounds bounds_of(const SceneData& scene, std::uint32_t instance) {
-    Bounds bounds;
-    for (std::size_t t = 0; t < scene.triangle_infos.size(); ++t) {
-        if (scene.triangle_infos[t].instance != instance) continue;
-        bounds.extend(scene.bvh.triangles[t].v0);
-        bounds.extend(scene.bvh.triangles[t].v1);
-        bounds.extend(scene.bvh.triangles[t].v2);
-    }
-    return bounds;
-}
-
 }  // namespace
 
-Bounds fit_proxy_box(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point) {
-    const std::vector<Sight> sights = look_around(scene, instance, point);
-    // The reflector must not reach out of the box: its rays start inside.
-    const Bounds own = bounds_of(scene, instance);
+Bounds fit_proxy_box(const Surroundings& around) {
+    const std::vector<Sight>& sights = around.sights;
+    const glm::dvec3& point = around.point;
+    glm::dvec3 lower(0.0);
+    glm::dvec3 upper(0.0);
+    for (const glm::dvec3& start : around.starts) {
+        lower = glm::min(lower, start);
+        upper = glm::max(upper, start);
+    }
     Sides least{};
     Sides sides{};
     for (std::size_t side = 0; side < 6; ++side) {
         const int axis = static_cast<int>(side / 2);
-        const auto distance = [&](const Bounds& bounds) {
-            return side % 2 == 1 ? static_cast<double>(bounds.upper[axis]) - point[axis]
-                                 : point[axis] - static_cast<double>(bounds.lower[axis]);
-        };
-        least[side] = std::max(own.empty() ? 0.0 : distance(own), 0.0);
-        sides[side] = std::max(distance(scene.bounds), least[side]);
+        const bool is_upper = side % 2 == 1;
+        const double scene = is_upper ? static_cast<double>(around.scene.upper[axis]) - point[axis]
+                                      : point[axis] - static_cast<double>(around.scene.lower[axis]);
+        least[side] = is_upper ? upper[axis] : -lower[axis];
+        sides[side] = std::max(scene, least[side]);
     }
     double misfit = sights.empty() ? 0.0 : mean_misfit(sights, sides);
     for (int round = 0; round < kRounds && !sights.empty(); ++round) {
         for (std::size_t side = 0; side < 6; ++side) {
-            for (const double distance : candidates(sights, side, least[side])) {
+            for (const double distance : candidates(around, side, least[side])) {
                 Sides tried = sides;
                 tried[side] = distance;
                 const double tried_misfit = mean_misfit(sights, tried);

@@ -2,7 +2,6 @@
 #include "renderers/reflection_map/reflection_maps.h"
 
 #include "renderers/reflection_map/capture_point.h"
-#include "renderers/reflection_map/proxy_box.h"
 
 #include "base/error.h"
 
@@ -44,18 +43,18 @@ std::uint64_t total_texels(const Device& device, std::size_t reflectors, std::ui
 
 std::vector<interop::ReflectorInfo> place_reflectors(const SceneData& data, const Reflectors& reflectors,
                                                      MapKind kind, std::uint32_t maps,
-                                                     const MapSettings& settings) {
+                                                     const MapSettings& settings,
+                                                     std::vector<interop::ProxyPlane>& proxy_planes) {
     std::vector<interop::ReflectorInfo> infos;
     std::uint64_t first_texel = 0;
     for (const std::uint32_t instance : reflectors.instances) {
         const glm::dvec3 point = settings.capture_point ? *settings.capture_point - data.origin
                                                         : find_capture_point(data, instance);
-        Bounds proxy;
-        if (kind == MapKind::proxy) proxy = fit_proxy_box(data, instance, point);
+        Proxy proxy;
+        if (kind == MapKind::proxy) proxy = find_proxy(data, instance, point, settings.proxy);
         infos.push_back({glm::vec3(point),
                          static_cast<std::uint32_t>(first_texel),
-                         proxy.lower,
-                         proxy.upper,
+                         add_proxy(proxy_planes, proxy),
                          {},
                          {},
                          {}});
@@ -97,8 +96,9 @@ ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind ki
       settings_(settings),
       reflectors_(fine_reflectors(data, instances, settings.refinement)),
       faces_(faces_of(kind, settings.polyhedron)),
-      infos_(place_reflectors(data, reflectors_, kind, maps_per_reflector(), settings)),
+      infos_(place_reflectors(data, reflectors_, kind, maps_per_reflector(), settings, proxy_planes_)),
       reflector_infos_(make_buffer<interop::ReflectorInfo>(device, infos_, "reflectors")),
+      proxy_plane_buffer_(make_buffer<interop::ProxyPlane>(device, proxy_planes_, "planes of proxies")),
       texels_(
           device,
           std::max<std::uint64_t>(1, total_texels(device, infos_.size(), maps_per_reflector(), settings)) *
@@ -182,7 +182,9 @@ FrameCounts ReflectionMaps::capture(const GpuScene& scene, const LightCache& lig
 }
 
 Bindings ReflectionMaps::bindings() const {
-    return {{interop::BINDING_REFLECTORS, &reflector_infos_}, {interop::BINDING_MAP_TEXELS, &texels_}};
+    return {{interop::BINDING_REFLECTORS, &reflector_infos_},
+            {interop::BINDING_PROXY_PLANES, &proxy_plane_buffer_},
+            {interop::BINDING_MAP_TEXELS, &texels_}};
 }
 
 Image ReflectionMaps::map(std::uint32_t reflector, std::uint32_t face) const {

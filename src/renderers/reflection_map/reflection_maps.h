@@ -6,6 +6,7 @@
 #include "renderers/common/light_cache.h"
 #include "renderers/common/renderer.h"
 #include "renderers/reflection_map/polyhedron.h"
+#include "renderers/reflection_map/proxy.h"
 #include "renderers/reflection_map/reflector_drawer.h"
 #include "renderers/reflection_map/reflectors.h"
 
@@ -24,6 +25,7 @@ struct MapSettings {
     std::uint32_t samples = 16;                              ///< per texel, >= 1
     std::optional<glm::dvec3> capture_point = std::nullopt;  ///< world space; each reflector's own if not set
     Polyhedron polyhedron = cube();                          ///< of polygon maps
+    std::optional<GivenProxy> proxy = std::nullopt;  ///< fitted to what each reflector sees if not set
     PolygonRefinement refinement = {};
     /// Pieces of polygons cut along its faces that there is room for; polygons whose pieces find none are
     /// drawn whole, their faces found per pixel. Follows from the number of polygons if not set.
@@ -57,6 +59,8 @@ class ReflectionMaps {
     /// The texels of one map, border included, as a picture.
     [[nodiscard]] Image map(std::uint32_t reflector, std::uint32_t face) const;
     [[nodiscard]] std::uint32_t maps_per_reflector() const;
+    /// Of the proxies that are not boxes.
+    [[nodiscard]] const std::vector<interop::ProxyPlane>& proxy_planes() const { return proxy_planes_; }
     /// Of the polyhedron of maps; none for sphere maps.
     [[nodiscard]] const std::vector<interop::MapFace>& faces() const { return faces_; }
 
@@ -70,8 +74,10 @@ class ReflectionMaps {
     MapSettings settings_;
     Reflectors reflectors_;
     std::vector<interop::MapFace> faces_;
+    std::vector<interop::ProxyPlane> proxy_planes_;
     std::vector<interop::ReflectorInfo> infos_;
     Buffer reflector_infos_;
+    Buffer proxy_plane_buffer_;
     Buffer texels_;
 };
 

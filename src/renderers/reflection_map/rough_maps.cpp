@@ -4,7 +4,6 @@
 #include "renderers/reflection_map/capture_point.h"
 #include "renderers/reflection_map/lobe_albedo.h"
 #include "renderers/reflection_map/map_prefilter.h"
-#include "renderers/reflection_map/proxy_box.h"
 
 #include "base/error.h"
 
@@ -18,7 +17,8 @@
 namespace utsuri {
 namespace {
 
-RoughMapPlan placed(const Device& device, const SceneData& data, const RoughMapSettings& settings) {
+RoughMapPlan placed(const Device& device, const SceneData& data, const RoughMapSettings& settings,
+                    std::vector<interop::ProxyPlane>& proxy_planes) {
     RoughMapPlan plan = plan_rough_maps(data, settings.size);
     const std::uint64_t limit = device.summary().storage_range_bytes;
     if (plan.levels.empty()) return plan;
@@ -36,10 +36,8 @@ RoughMapPlan placed(const Device& device, const SceneData& data, const RoughMapS
         const glm::dvec3 point =
             settings.capture_point ? *settings.capture_point - data.origin : find_capture_point(data, i);
         info.capture_point = glm::vec3(point);
-        if (!settings.fits_boxes) continue;
-        const Bounds proxy = fit_proxy_box(data, i, point);
-        info.proxy_lower = proxy.lower;
-        info.proxy_upper = proxy.upper;
+        if (settings.uses_proxies)
+            info.proxy = add_proxy(proxy_planes, find_proxy(data, i, point, settings.proxy));
     }
     return plan;
 }
@@ -49,8 +47,9 @@ RoughMapPlan placed(const Device& device, const SceneData& data, const RoughMapS
 RoughMaps::RoughMaps(Device& device, const SceneData& data, const RoughMapSettings& settings)
     : device_(&device),
       settings_(settings),
-      plan_(placed(device, data, settings)),
+      plan_(placed(device, data, settings, proxy_planes_)),
       infos_(make_buffer<interop::RoughMapInfo>(device, plan_.infos, "rough maps")),
+      proxy_plane_buffer_(make_buffer<interop::ProxyPlane>(device, proxy_planes_, "planes of rough proxies")),
       levels_(make_buffer<interop::RoughLevel>(device, plan_.levels, "levels of rough maps")),
       texels_(device, std::max<std::uint64_t>(1, plan_.texels) * sizeof(glm::vec3), "texels of rough maps"),
       lobe_albedos_(make_buffer<interop::LobeAlbedo>(
@@ -89,6 +88,7 @@ FrameCounts RoughMaps::capture(const GpuScene& scene, const LightCache& light, c
 
 Bindings RoughMaps::bindings() const {
     return {{interop::BINDING_ROUGH_MAPS, &infos_},
+            {interop::BINDING_ROUGH_PROXY_PLANES, &proxy_plane_buffer_},
             {interop::BINDING_ROUGH_LEVELS, &levels_},
             {interop::BINDING_ROUGH_TEXELS, &texels_},
             {interop::BINDING_LOBE_ALBEDO, &lobe_albedos_}};

@@ -4,6 +4,7 @@
 #include "renderers/common/gpu_scene.h"
 #include "renderers/common/light_cache.h"
 #include "renderers/common/renderer.h"
+#include "renderers/reflection_map/proxy.h"
 #include "renderers/reflection_map/rough_map_plan.h"
 
 #include "base/progress.h"
@@ -21,7 +22,8 @@ struct RoughMapSettings {
     std::uint32_t size = 256;    ///< texels along an edge of a face of what is captured, at most
     std::uint32_t samples = 16;  ///< per texel, >= 1
     std::optional<glm::dvec3> capture_point = std::nullopt;  ///< world space; each instance's own if not set
-    bool fits_boxes = false;                                 ///< whether look-ups are corrected by a box
+    bool uses_proxies = false;                               ///< whether look-ups are corrected by proxies
+    std::optional<GivenProxy> proxy = std::nullopt;          ///< fitted to what each instance sees if not set
 };
 
 /// What rough lobes reflect: for every instance that has some, cubes of maps captured without it from one
@@ -39,6 +41,8 @@ class RoughMaps {
 
     [[nodiscard]] Bindings bindings() const;
     [[nodiscard]] const RoughMapPlan& plan() const { return plan_; }
+    /// Of the proxies that are not boxes.
+    [[nodiscard]] const std::vector<interop::ProxyPlane>& proxy_planes() const { return proxy_planes_; }
 
     /// The texels of one face of a level, border included, as a picture, for tests.
     [[nodiscard]] Image face(std::uint32_t level, std::uint32_t face) const;
@@ -46,8 +50,10 @@ class RoughMaps {
   private:
     Device* device_;
     RoughMapSettings settings_;
+    std::vector<interop::ProxyPlane> proxy_planes_;
     RoughMapPlan plan_;
     Buffer infos_;
+    Buffer proxy_plane_buffer_;
     Buffer levels_;
     Buffer texels_;
     Buffer lobe_albedos_;

@@ -155,6 +155,7 @@ TEST(ComparisonJson, SettingsOfMapsBelongToMethodsThatUseThem) {
     maps.size = 64;
     maps.samples = 3;
     maps.capture_point = glm::dvec3(0.5, 1.0, -2.0);
+    maps.proxy = GivenProxy{"room.txt", {}};
     const Json json = comparison_to_json(comparison);
     EXPECT_EQ(keys(json["methods"][0]["settings"]), std::set<std::string>{"samples"});
     EXPECT_EQ(json["methods"][1]["settings"], Json({{"samples", 4},
@@ -162,6 +163,7 @@ TEST(ComparisonJson, SettingsOfMapsBelongToMethodsThatUseThem) {
                                                     {"map_samples", 3},
                                                     {"polyhedron", "cube"},
                                                     {"faces", 6},
+                                                    {"proxy", "room.txt"},
                                                     {"capture_point", {0.5, 1.0, -2.0}}}));
     EXPECT_FALSE(json["methods"][2]["settings"].contains("capture_point"));
 }

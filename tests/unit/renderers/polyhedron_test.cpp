@@ -139,7 +139,8 @@ TEST_F(PolyhedronFile, MustBeNumbers) {
     expect_error("1 0 0\n", "four numbers");
     expect_error("1 0 0 1 5\n", "four numbers");
     expect_error("0 0 0 1\n", "not zero");
-    expect_error("1 0 0 -1\n", "positive");
+    expect_error("1 0 0 1\n-1 0 0 1\n0 1 0 1\n1 0 0 -1\n", "line 4");
+    expect_error("1 0 0 1\n-1 0 0 1\n0 1 0 1\n1 0 0 -1\n", "positive");
     expect_error("1 0 0 nan\n", "line 1");
     expect_error("", "0 planes");
 }
