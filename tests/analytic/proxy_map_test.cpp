@@ -137,6 +137,21 @@ TEST_F(PixelMaps, AGivenProxyThatIsTheRoomIsTheFittedOne) {
               8.0f * kSize * 1e-6f);
 }
 
+// Fitted planes on the device, too, know no absolute length.
+TEST_F(PixelMaps, PlanesShowTheSameBitsAtAnyScale) {
+    const HexagonalHall hall;
+    RenderSettings picture;
+    picture.width = picture.height = 16;
+    const auto shown = [&](double factor) {
+        MapObserver observer(device(), scaled(hall.scene(), factor), MapKind::proxy,
+                             map_settings(16, factor * hall.capture_point));
+        return observer.picture(look_at(factor * hall.eye, factor * glm::dvec3(1, 1.3, -1.3)), picture, 2);
+    };
+    const Image original = shown(1.0);
+    for (const int k : {-20, 20})
+        EXPECT_TRUE(shown(std::ldexp(1.0, k)).pixels == original.pixels) << "k = " << k;
+}
+
 // A given proxy need not hold the mirror. Rays that start outside and come in leave on the far side; those
 // that do not are looked up where they start.
 TEST_F(PixelMaps, RaysFromOutsideAProxyLeaveItOnTheFarSide) {

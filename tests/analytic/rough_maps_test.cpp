@@ -313,7 +313,7 @@ TEST_F(RoughMapping, ATurnedRoomIsCorrectedLikeAStraightOne) {
         MapObserver observer(device(), scene, MapKind::proxy, map_settings(128));
         return observer.picture(look_at(turned({0.3, 1.2, 2.1}, angle), ball, 0.25), settings, 16);
     };
-    EXPECT_LE(mean_difference(picture(std::numbers::pi / 6.0), picture(0.0)), 0.0001);
+    EXPECT_LE(mean_difference(picture(std::numbers::pi / 6.0), picture(0.0)), 0.002);
 }
 
 }  // namespace
