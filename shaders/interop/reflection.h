@@ -49,6 +49,12 @@ struct ReflectorInfo {
     vec3 map_forward;
 };
 
+/// The capture points of one reflector among all: [first, first + count).
+struct ProbeRange {
+    uint first;
+    uint count;
+};
+
 /// A vertex of a reflector's polygons, in scene space.
 struct ReflectorVertex {
     vec3 position;

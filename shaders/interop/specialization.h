@@ -23,7 +23,8 @@ INTEROP_CONSTANT SPEC_FACE_COUNT = 14u;   ///< of the polyhedron of maps, at mos
 INTEROP_CONSTANT SPEC_WRITES = 15u;       ///< the second run of a kernel that first counts what it will write
 INTEROP_CONSTANT SPEC_DISTANCE_SIZE = 16u;  ///< texels along an edge of a face of distances, a power of two
 INTEROP_CONSTANT SPEC_HAS_PROXY_PLANES = 17u;  ///< not all proxies are boxes
-INTEROP_CONSTANT SPEC_COUNT = 18u;
+INTEROP_CONSTANT SPEC_MOST_PROBES = 18u;       ///< capture points that a reflector has, at most
+INTEROP_CONSTANT SPEC_COUNT = 19u;
 
 INTEROP_END
 #endif

@@ -15,12 +15,10 @@ void main() {
     float found = DRAWN_PLAIN;
     if (is_specular(surface)) {
         found = DRAWN_LOOKED_UP;
-        ReflectorInfo reflector = reflectors[drawn_ids.w];
-        DistanceMapInfo map = distance_maps[drawn_ids.w];
-        SearchRay ray = make_search_ray(surface.position - reflector.capture_point, mirror_direction(surface, wo));
-        HitInterval found = refine_hit(map.first_sample, ray, search_distances(map.first_bounds, ray));
-        vec3 direction = isinf(found.guess) ? ray.direction : ray_place(ray, found.guess);
-        radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) * polygon_map(reflector.first_texel, direction);
+        ProbeHit hit = search_probes(drawn_ids.w, surface.position, mirror_direction(surface, wo));
+        vec3 direction = isinf(hit.interval.guess) ? hit.ray.direction : ray_place(hit.ray, hit.interval.guess);
+        radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
+                    polygon_map(reflectors[hit.probe].first_texel, direction);
     }
     drawn = vec4(radiance, found);
 }

@@ -13,18 +13,6 @@
 #include "kernels/cached_surface_light.glsl"
 #include "kernels/specular_chain.glsl"
 
-/// The direction to look up, or zero where none is right enough: that of the mirrored ray, if all that surrounds the reflector
-/// is far enough for it, which costs no search; else that to where the search says the ray ends.
-vec3 trusted_direction(Surface surface, vec3 wo) {
-    DrawnReflection reflection = outlined_reflection(surface, wo);
-    if (outline_suffices(reflection)) return reflection.ray.direction;
-    reflection = drawn_reflection_of(surface, wo);
-    vec3 direction = seen_along(reflection.ray, reflection.interval.guess);
-    float texel = texel_angle(direction);
-    Prediction prediction = predict(reflection.ray, reflection.interval, reflection.footprint, direction, direction, texel);
-    return prediction.pixels <= push.tolerance ? direction : vec3(0.0);
-}
-
 /// @param rays is set to how many it took
 vec3 traced_radiance(Surface seen, vec3 wo, out float rays) {
     // A ray leaves the surface from where rays would hit it.
@@ -44,10 +32,15 @@ void main() {
     vec3 radiance = drawn_light(wo, surface);
     float found = DRAWN_PLAIN;
     if (is_specular(surface)) {
-        vec3 direction = trusted_direction(surface, wo);
+        DrawnReflection reflection;
         float rays = 0.0;
-        vec3 reflected = direction != vec3(0.0) ? polygon_map(reflectors[drawn_ids.w].first_texel, direction)
-                                                : traced_radiance(surface, wo, rays);
+        vec3 reflected;
+        if (find_within_tolerance(surface, wo, reflection)) {
+            reflected = polygon_map(reflectors[reflection.probe].first_texel,
+                                    seen_along(reflection.ray, reflection.interval.guess));
+        } else {
+            reflected = traced_radiance(surface, wo, rays);
+        }
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) * reflected;
         found = DRAWN_LOOKED_UP + rays;
     }

@@ -5,8 +5,7 @@
 #include "lib/prediction.glsl"
 
 struct DrawnReflection {
-    ReflectorInfo reflector;
-    DistanceMapInfo map;
+    uint probe;
     SearchRay ray;
     HitInterval interval;
     Footprint footprint;
@@ -18,47 +17,80 @@ float pixel_angle() {
     return 2.0 * length(push.camera.up) * push.pixel.y * cosine * cosine;
 }
 
+bool leaves_front(Surface surface) {
+    return dot(surface.ng, drawn_ng) > 0.0;
+}
+
+Footprint drawn_footprint(Surface surface, vec3 wo) {
+    float curvature = leaves_front(surface) ? drawn_curvature : -drawn_curvature;
+    return make_footprint(length(drawn_from_eye), pixel_angle(), curvature, abs(dot(surface.ns, wo)));
+}
+
+DrawnReflection with_hit(ProbeHit found, Surface surface, vec3 wo) {
+    return DrawnReflection(found.probe, found.ray, trusted_interval(found, leaves_front(surface)),
+                           drawn_footprint(surface, wo));
+}
+
 /// With an interval that follows from the least distance of all that surrounds the reflector alone: no search.
 DrawnReflection outlined_reflection(Surface surface, vec3 wo) {
-    DrawnReflection result;
-    result.reflector = reflectors[drawn_ids.w];
-    result.map = distance_maps[drawn_ids.w];
-    result.ray = make_search_ray(surface.position - result.reflector.capture_point, mirror_direction(surface, wo));
-    bool front = dot(surface.ng, drawn_ng) > 0.0;
-    result.interval = outline_hit(result.map, result.ray, front);
-    float curvature = front ? drawn_curvature : -drawn_curvature;
-    result.footprint = make_footprint(length(drawn_from_eye), pixel_angle(), curvature, abs(dot(surface.ns, wo)));
-    return result;
+    vec3 wi = mirror_direction(surface, wo);
+    uint probe = drawn_probe(surface, wi);
+    SearchRay ray = make_search_ray(surface.position - reflectors[probe].capture_point, wi);
+    return DrawnReflection(probe, ray, outline_hit(distance_maps[probe], ray, leaves_front(surface)),
+                           drawn_footprint(surface, wo));
 }
 
 DrawnReflection drawn_reflection_of(Surface surface, vec3 wo) {
-    DrawnReflection result = outlined_reflection(surface, wo);
-    result.interval = find_hit(result.map, result.ray, dot(surface.ng, drawn_ng) > 0.0);
-    return result;
+    vec3 wi = mirror_direction(surface, wo);
+    if (MAP_KIND == MAP_KIND_DISTANCE) return with_hit(search_probes(drawn_ids.w, surface.position, wi), surface, wo);
+    return with_hit(search_probe(drawn_probe(surface, wi), surface.position, wi), surface, wo);
 }
 
-/// Whether the mirrored ray's direction will do within push.tolerance, as the outline alone predicts.
-bool outline_suffices(DrawnReflection outlined) {
-    vec3 direction = outlined.ray.direction;
-    Prediction prediction = predict(outlined.ray, outlined.interval, outlined.footprint, direction, direction,
+/// Whether what is seen where a reflection's interval guesses that the ray ends is predicted to be within push.tolerance.
+bool is_within_tolerance(DrawnReflection reflection) {
+    vec3 direction = seen_along(reflection.ray, reflection.interval.guess);
+    Prediction prediction = predict(reflection.ray, reflection.interval, reflection.footprint, direction, direction,
                                     texel_angle(direction));
     return prediction.pixels <= push.tolerance;
 }
 
-/// What the method looks up and knows: `hybrid` searches only where the outline does not suffice. Methods that always
-/// search have a tolerance of 0, and no texel is that small.
+/// The cheapest look-up that is right enough: along the mirrored ray, if all that surrounds the reflector is far enough for
+/// it, which costs no search; else to where the search says that the ray ends, at the probe that it passes nearest, then at
+/// the others.
+/// @param reflection is set to it, or to what the nearest probe tells
+bool find_within_tolerance(Surface surface, vec3 wo, out DrawnReflection reflection) {
+    reflection = outlined_reflection(surface, wo);
+    if (is_within_tolerance(reflection)) return true;
+    uint nearest = reflection.probe;
+    vec3 wi = reflection.ray.direction;
+    reflection = with_hit(search_probe(nearest, surface.position, wi), surface, wo);
+    if (is_within_tolerance(reflection)) return true;
+    if (MOST_PROBES == 1u) return false;
+    ProbeRange range = probe_ranges[drawn_ids.w];
+    for (uint probe = range.first; probe < range.first + range.count; ++probe) {
+        if (probe == nearest) continue;
+        DrawnReflection other = with_hit(search_probe(probe, surface.position, wi), surface, wo);
+        if (!is_within_tolerance(other)) continue;
+        reflection = other;
+        return true;
+    }
+    return false;
+}
+
+/// What the method looks up and knows. Methods other than `hybrid` have a tolerance of 0, and no texel is that small.
 DrawnReflection looked_up_reflection_of(Surface surface, vec3 wo) {
-    DrawnReflection outlined = outlined_reflection(surface, wo);
-    if (MAP_KIND == MAP_KIND_DISTANCE && outline_suffices(outlined)) return outlined;
-    return drawn_reflection_of(surface, wo);
+    if (MAP_KIND != MAP_KIND_DISTANCE || push.tolerance == 0.0) return drawn_reflection_of(surface, wo);
+    DrawnReflection reflection;
+    find_within_tolerance(surface, wo, reflection);
+    return reflection;
 }
 
 vec3 wanted_direction_of(Surface surface, DrawnReflection reflection) {
     if (MAP_KIND == MAP_KIND_DISTANCE) return seen_along(reflection.ray, reflection.interval.guess);
-    return wanted_direction(surface, reflection.reflector, reflection.ray.direction);
+    return wanted_direction(surface, reflectors[reflection.probe], reflection.ray.direction);
 }
 
 vec3 looked_up_direction_of(Surface surface, DrawnReflection reflection, vec3 wanted) {
     if (MAP_KIND == MAP_KIND_DISTANCE) return wanted;
-    return looked_up_direction(surface, reflection.reflector, reflection.ray.direction);
+    return looked_up_direction(surface, reflectors[reflection.probe], reflection.ray.direction);
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What kernels that look reflections up in captured maps share.
-#include "interop/reflection.h"
+#include "kernels/probe_bindings.glsl"
 
 layout(constant_id = SPEC_MAP_SIZE) const uint MAP_SIZE = 256u;
 
-layout(scalar, binding = BINDING_REFLECTORS) readonly restrict buffer Reflectors { ReflectorInfo reflectors[]; };
 layout(scalar, binding = BINDING_MAP_TEXELS) readonly restrict buffer MapTexels { vec3 map_texels[]; };
 
 /// Bilinear value of a map at picture coordinates in [-1, 1]^2; the border makes all four texels its own.

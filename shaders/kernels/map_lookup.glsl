@@ -26,6 +26,12 @@ vec3 leave_proxy(vec3 origin, vec3 direction, ProxyInfo proxy) {
     return origin + max(t, 0.0) * direction;
 }
 
+/// The probe whose maps a pixel looks up. What is found per vertex comes with the probe of its polygon.
+uint drawn_probe(Surface surface, vec3 wi) {
+    if (MAP_KIND == MAP_KIND_POLYGON || MAP_KIND == MAP_KIND_SPHERE) return drawn_ids.w;
+    return nearest_probe(drawn_ids.w, surface.position, wi);
+}
+
 /// The direction from the capture point that the method means to look up, were it not for interpolation.
 /// @param wi the mirrored direction
 vec3 wanted_direction(Surface surface, ReflectorInfo reflector, vec3 wi) {
@@ -46,7 +52,7 @@ vec3 looked_up_direction(Surface surface, ReflectorInfo reflector, vec3 wi) {
 
 vec3 mapped_radiance(Surface surface, vec3 wi) {
     if (MAP_KIND == MAP_KIND_PIECES) return sample_map(drawn_ids.w, drawn_reflection.xy / drawn_reflection.z);
-    ReflectorInfo reflector = reflectors[drawn_ids.w];
+    ReflectorInfo reflector = reflectors[drawn_probe(surface, wi)];
     if (MAP_KIND == MAP_KIND_SPHERE) return sample_map(reflector.first_texel, 2.0 * drawn_reflection.xy - 1.0);
     return polygon_map(reflector.first_texel, looked_up_direction(surface, reflector, wi));
 }

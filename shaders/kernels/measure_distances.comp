@@ -17,17 +17,32 @@ layout(scalar, binding = BINDING_DISTANCE_SAMPLES) writeonly restrict buffer Dis
     DistanceSample distance_samples[];
 };
 
-/// @param place in texels from the face's corner of least coordinates
-float measure(vec2 place) {
-    vec2 p = place * (2.0 / float(DISTANCE_SIZE)) - 1.0;
-    vec3 direction = cube_vector(vec3(p, 1.0), push.face);
+/// What a ray from the capture point meets, as DistanceSample has it.
+/// @param direction unit
+float distance_along(vec3 direction) {
     Hit hit = closest_hit(make_ray(push.capture_point, direction, NONE, push.excluded_instance));
     if (hit.triangle == NONE) return INFINITY;
     vec3 point = push.capture_point + hit.t * direction;
     bool is_plane = push.plane_normal != vec3(0.0);
     if (is_plane && dot(push.plane_normal, point) <= push.plane_distance) return 0.0;
-    float distance = hit.t * sqrt(1.0 + dot(p, p));
-    return is_specular(make_surface(hit, direction)) ? -distance : distance;
+    return is_specular(make_surface(hit, direction)) ? -hit.t : hit.t;
+}
+
+/// A direction just behind the plane of a plane mirror that holds the capture point, lifted to just before it; any other is
+/// returned as it is. Frames stand out from mirrors by so little that no other ray would meet them.
+vec3 skimming(vec3 direction) {
+    const float BEHIND = 3.0 / float(DISTANCE_SIZE);    // a texel's diagonal, in radians, at most
+    const float BEFORE = 0.0625 / float(DISTANCE_SIZE);  // 1/32 of a texel
+    float elevation = dot(push.plane_normal, direction);
+    return abs(elevation) < BEHIND ? normalize(direction + (BEFORE - elevation) * push.plane_normal) : direction;
+}
+
+/// @param place in texels from the face's corner of least coordinates
+float measure(vec2 place) {
+    vec2 p = place * (2.0 / float(DISTANCE_SIZE)) - 1.0;
+    vec3 direction = normalize(cube_vector(vec3(p, 1.0), push.face));
+    float found = distance_along(direction);
+    return found == 0.0 ? distance_along(skimming(direction)) : found;
 }
 
 void main() {

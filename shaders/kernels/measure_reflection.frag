@@ -31,7 +31,7 @@ void main() {
     Hit hit = closest_hit(make_ray(leave_surface(surface, ray.direction), ray.direction, surface.triangle, NONE));
     float t = hit.triangle == NONE ? INFINITY : hit.t;
     float angle = angle_between(looked_up, seen_along(ray, t));
-    bool seen = hit.triangle == NONE || is_seen_from_capture_point(reflection.reflector, surface.instance,
+    bool seen = hit.triangle == NONE || is_seen_from_capture_point(reflectors[reflection.probe], surface.instance,
                                                                    surface.position + t * ray.direction, hit.triangle);
     drawn = vec4(angle, displacement(ray, reflection.footprint, t, angle), t, seen ? 1.0 : 0.0);
 }

@@ -23,14 +23,39 @@ bool distances_tell(DistanceMapInfo map, SearchRay ray, bool leaves_front) {
     return map.mirrors_itself == 0u && is_outside;
 }
 
-/// Where a ray mirrored by a reflector can meet the scene.
-HitInterval find_hit(DistanceMapInfo map, SearchRay ray, bool leaves_front) {
-    HitInterval found = refine_hit(map.first_sample, ray, search_distances(map.first_bounds, ray));
-    if (!distances_tell(map, ray, leaves_front)) return HitInterval(0.0, INFINITY, found.guess);
-    return found;
+/// What a search in the distances of one probe finds.
+struct ProbeHit {
+    uint probe;
+    SearchRay ray;
+    HitInterval interval;  ///< as if distances told all: see trusted_interval()
+};
+
+ProbeHit search_probe(uint probe, vec3 position, vec3 direction) {
+    SearchRay ray = make_search_ray(position - reflectors[probe].capture_point, direction);
+    DistanceMapInfo map = distance_maps[probe];
+    return ProbeHit(probe, ray, refine_hit(map.first_sample, ray, search_distances(map.first_bounds, ray)));
 }
 
-/// The same from the least of all distances alone: not closer than that.
+/// The first probe that sees what a ray meets, beginning with that which the ray passes nearest; that one if none does.
+ProbeHit search_probes(uint reflector, vec3 position, vec3 direction) {
+    ProbeHit nearest = search_probe(nearest_probe(reflector, position, direction), position, direction);
+    if (MOST_PROBES == 1u || is_known(nearest.interval)) return nearest;
+    ProbeRange range = probe_ranges[reflector];
+    for (uint probe = range.first; probe < range.first + range.count; ++probe) {
+        if (probe == nearest.probe) continue;
+        ProbeHit other = search_probe(probe, position, direction);
+        if (is_known(other.interval)) return other;
+    }
+    return nearest;
+}
+
+/// Where a ray mirrored by a reflector can meet the scene.
+HitInterval trusted_interval(ProbeHit found, bool leaves_front) {
+    if (distances_tell(distance_maps[found.probe], found.ray, leaves_front)) return found.interval;
+    return HitInterval(0.0, INFINITY, found.interval.guess);
+}
+
+/// The same from the least of all distances of a probe alone: not closer than that.
 HitInterval outline_hit(DistanceMapInfo map, SearchRay ray, bool leaves_front) {
     float nearest = least_distance(map.first_bounds);
     if (!distances_tell(map, ray, leaves_front) || length(ray.origin) >= nearest) return HitInterval(0.0, INFINITY, INFINITY);

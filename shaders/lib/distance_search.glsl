@@ -44,6 +44,11 @@ struct HitInterval {
     float guess;  ///< within the interval: where what is seen beside the hiding object would go on
 };
 
+/// Whether the capture point sees what the ray meets.
+bool is_known(HitInterval interval) {
+    return !isinf(interval.t1) || isinf(interval.t0);
+}
+
 /// Blocks that a search looks at, at most: a few at each level on each face that the ray crosses.
 const uint MOST_SEARCH_STEPS = 256u;
 /// Texels over which a ray may sink into a surface, at most.

@@ -96,6 +96,7 @@ MapSettings PictureOptions::map_settings() const {
     settings.size = map_size;
     settings.samples = map_samples;
     if (!capture_point.empty()) settings.capture_point = parse_point(capture_point);
+    settings.most_probes = most_probes;
     const bool is_file = polyhedron.find_first_of("./\\") != std::string::npos;
     settings.polyhedron = is_file ? read_polyhedron(polyhedron) : platonic_solid(polyhedron);
     if (proxy) settings.proxy = read_proxy(*proxy);
@@ -148,6 +149,13 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         .add_option("--capture-point", options.capture_point,
                     "Where maps are captured, in metres [centre of each reflective object]")
         ->type_name("X,Y,Z");
+    command
+        .add_option(
+            "--probes", options.most_probes,
+            "Points of each reflective object to capture maps from, at most; more than one only where "
+            "that is predicted to lower the error")
+        ->check(CLI::Range(1u, kMostProbes))
+        ->capture_default_str();
     command
         .add_option(
             "--polyhedron", options.polyhedron,

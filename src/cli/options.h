@@ -34,6 +34,7 @@ struct PictureOptions {
     std::uint32_t map_samples = 8;
     std::uint32_t light_samples = LightCacheSettings().samples;
     std::string capture_point;
+    std::uint32_t most_probes = 1;
     std::string polyhedron = "cube";
     std::optional<std::string> proxy;
     std::optional<double> polygon_edge;

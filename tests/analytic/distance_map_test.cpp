@@ -199,7 +199,7 @@ TEST_F(DistanceMap, DistancesAreThoseOfTheSceneAndBoundsHoldThem) {
     const GpuScene gpu_scene(device(), data);
     const MapSettings settings = map_settings(16, kWorkedCapturePoint);
     const ReflectionMaps maps(device(), data, MapKind::distance, settings);
-    DistanceMaps distances(device(), data, maps.reflectors(), maps.infos(), 16);
+    DistanceMaps distances(device(), data, maps.instances(), maps.infos(), 16);
     Progress progress;
     double seconds = 0.0;
     distances.capture(gpu_scene, seconds, progress);

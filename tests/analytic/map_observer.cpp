@@ -39,7 +39,7 @@ std::vector<Image> MapObserver::maps(const Camera& camera) {
     Progress progress;
     renderer.prepare(progress);
     std::vector<Image> images;
-    for (std::uint32_t face = 0; face < renderer.maps().maps_per_reflector(); ++face) {
+    for (std::uint32_t face = 0; face < renderer.maps().maps_per_probe(); ++face) {
         images.push_back(renderer.maps().map(0, face));
     }
     return images;

@@ -45,7 +45,7 @@ TEST_F(Scale, TracedPictureIsTheSameBits) {
 }
 
 TEST_F(Scale, MappedPicturesAreTheSameBits) {
-    const MapSettings maps{24, 2, {}};
+    const MapSettings maps{24, 2, {}, 3};
     for (const MapKind kind : kMapKinds) {
         const Image original =
             render_with_maps(device(), everything_scene(), everything_camera(), kSettings, kind, maps, 2)

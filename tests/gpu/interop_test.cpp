@@ -124,6 +124,7 @@ std::map<std::string, HostStruct> host_structs() {
         {"ProxyInfo",
          {sizeof(ProxyInfo),
           {AT(ProxyInfo, lower), AT(ProxyInfo, upper), AT(ProxyInfo, first_plane), AT(ProxyInfo, planes)}}},
+        {"ProbeRange", {sizeof(ProbeRange), {AT(ProbeRange, first), AT(ProbeRange, count)}}},
         {"ReflectorInfo",
          {sizeof(ReflectorInfo),
           {AT(ReflectorInfo, capture_point), AT(ReflectorInfo, first_texel), AT(ReflectorInfo, proxy),

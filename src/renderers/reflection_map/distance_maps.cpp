@@ -43,7 +43,7 @@ std::uint32_t bounds_per_face(std::uint32_t size) {
 }
 
 std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const SceneData& data,
-                                                 const Reflectors& reflectors,
+                                                 const std::vector<std::uint32_t>& instances,
                                                  const std::vector<interop::ReflectorInfo>& infos,
                                                  std::uint32_t size) {
     const std::uint64_t samples =
@@ -51,13 +51,14 @@ std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const Sce
     const std::uint64_t limit = device.summary().storage_range_bytes;
     if (samples * sizeof(interop::DistanceSample) > limit) {
         throw UsageError(
-            "measure distances", fmt::format("at {} texels for {} reflective objects", size, infos.size()),
-            fmt::format("they need {} MiB and {} can see {} MiB of a buffer; use a smaller --map-size",
-                        samples * sizeof(interop::DistanceSample) >> 20, device.summary().name, limit >> 20));
+            "measure distances", fmt::format("at {} texels from {} capture points", size, infos.size()),
+            fmt::format(
+                "they need {} MiB and {} can see {} MiB of a buffer; use a smaller --map-size or --probes",
+                samples * sizeof(interop::DistanceSample) >> 20, device.summary().name, limit >> 20));
     }
     std::vector<interop::DistanceMapInfo> maps;
     for (std::uint32_t i = 0; i < infos.size(); ++i) {
-        const ReflectorShape shape = describe_shape(data, reflectors.instances[i]);
+        const ReflectorShape shape = describe_shape(data, instances[i]);
         interop::DistanceMapInfo map{};
         map.first_sample = i * interop::DISTANCE_FACES * samples_per_face(size);
         map.first_bounds = i * interop::DISTANCE_FACES * bounds_per_face(size);
@@ -72,9 +73,8 @@ std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const Sce
 }
 
 template <typename Record>
-std::uint64_t buffer_bytes(std::size_t reflectors, std::uint32_t records_per_face) {
-    return std::max<std::uint64_t>(1,
-                                   std::uint64_t{reflectors} * interop::DISTANCE_FACES * records_per_face) *
+std::uint64_t buffer_bytes(std::size_t probes, std::uint32_t records_per_face) {
+    return std::max<std::uint64_t>(1, std::uint64_t{probes} * interop::DISTANCE_FACES * records_per_face) *
            sizeof(Record);
 }
 
@@ -93,13 +93,13 @@ std::uint64_t DistanceMaps::bytes(std::uint32_t size) {
                                       bounds_per_face(size) * sizeof(interop::DistanceBounds));
 }
 
-DistanceMaps::DistanceMaps(Device& device, const SceneData& data, const Reflectors& reflectors,
+DistanceMaps::DistanceMaps(Device& device, const SceneData& data, std::vector<std::uint32_t> instances,
                            const std::vector<interop::ReflectorInfo>& infos, std::uint32_t size)
     : device_(&device),
-      instances_(reflectors.instances),
-      reflectors_(infos),
+      instances_(std::move(instances)),
+      probes_(infos),
       size_(size),
-      infos_(place_maps(device, data, reflectors, infos, size)),
+      infos_(place_maps(device, data, instances_, infos, size)),
       info_buffer_(make_buffer<interop::DistanceMapInfo>(device, infos_, "distance maps")),
       samples_(device, buffer_bytes<interop::DistanceSample>(infos.size(), samples_per_face(size)),
                "distances"),
@@ -136,14 +136,14 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
     const auto faces = static_cast<std::uint32_t>(infos_.size()) * interop::DISTANCE_FACES;
     for (std::uint32_t i = 0; i < faces; ++i) {
         if (progress.cancelled()) throw Interrupted();
-        const std::uint32_t reflector = i / interop::DISTANCE_FACES;
+        const std::uint32_t probe = i / interop::DISTANCE_FACES;
         const std::uint32_t face = i % interop::DISTANCE_FACES;
-        const interop::DistanceMapInfo& map = infos_[reflector];
+        const interop::DistanceMapInfo& map = infos_[probe];
         interop::MeasureDistancesPush push{};
-        push.capture_point = reflectors_[reflector].capture_point;
+        push.capture_point = probes_[probe].capture_point;
         push.plane_normal = map.plane_normal;
         push.plane_distance = map.plane_distance;
-        push.excluded_instance = instances_[reflector];
+        push.excluded_instance = instances_[probe];
         push.first_sample = map.first_sample + face * per_face;
         push.face = face;
         for (push.begin = 0; push.begin < per_face; push.begin = push.end) {
@@ -180,20 +180,19 @@ Bindings DistanceMaps::bindings() const {
             {interop::BINDING_DISTANCE_BOUNDS, &bounds_}};
 }
 
-std::vector<interop::DistanceSample> DistanceMaps::samples(std::uint32_t reflector,
-                                                           std::uint32_t face) const {
+std::vector<interop::DistanceSample> DistanceMaps::samples(std::uint32_t probe, std::uint32_t face) const {
     std::vector<interop::DistanceSample> result(samples_per_face(size_));
-    const std::uint64_t first = infos_[reflector].first_sample + std::uint64_t{face} * result.size();
+    const std::uint64_t first = infos_[probe].first_sample + std::uint64_t{face} * result.size();
     samples_.download(std::as_writable_bytes(std::span(result)), first * sizeof(interop::DistanceSample));
     return result;
 }
 
-std::vector<interop::DistanceBounds> DistanceMaps::bounds(std::uint32_t reflector, std::uint32_t face,
+std::vector<interop::DistanceBounds> DistanceMaps::bounds(std::uint32_t probe, std::uint32_t face,
                                                           std::uint32_t level) const {
     const std::uint32_t edge = size_ >> level;
     std::vector<interop::DistanceBounds> result(std::size_t{edge} * edge);
-    const std::uint64_t first = infos_[reflector].first_bounds +
-                                std::uint64_t{face} * bounds_per_face(size_) + first_of_level(size_, level);
+    const std::uint64_t first = infos_[probe].first_bounds + std::uint64_t{face} * bounds_per_face(size_) +
+                                first_of_level(size_, level);
     bounds_.download(std::as_writable_bytes(std::span(result)), first * sizeof(interop::DistanceBounds));
     return result;
 }

@@ -3,7 +3,6 @@
 
 #include "renderers/common/gpu_scene.h"
 #include "renderers/common/renderer.h"
-#include "renderers/reflection_map/reflectors.h"
 
 #include "base/progress.h"
 
@@ -15,13 +14,14 @@
 
 namespace utsuri {
 
-/// How far what surrounds each reflector is from its capture point, by direction, with bounds over ever
+/// How far what surrounds each reflector is from its capture points, by direction, with bounds over ever
 /// larger blocks of directions: what a search for the place that a reflected ray meets needs to know.
 class DistanceMaps {
   public:
     /// @param size texels along an edge of a face, a power of two
     /// @throws UsageError if they cannot fit into one buffer of the device
-    DistanceMaps(Device& device, const SceneData& data, const Reflectors& reflectors,
+    /// @param instances that each of the probes belongs to
+    DistanceMaps(Device& device, const SceneData& data, std::vector<std::uint32_t> instances,
                  const std::vector<interop::ReflectorInfo>& infos, std::uint32_t size);
 
     /// Traces the distances and bounds them.
@@ -33,21 +33,20 @@ class DistanceMaps {
     [[nodiscard]] const std::vector<interop::DistanceMapInfo>& infos() const { return infos_; }
 
     /// Samples of a face, border included, and bounds of a level, for tests.
-    [[nodiscard]] std::vector<interop::DistanceSample> samples(std::uint32_t reflector,
-                                                               std::uint32_t face) const;
-    [[nodiscard]] std::vector<interop::DistanceBounds> bounds(std::uint32_t reflector, std::uint32_t face,
+    [[nodiscard]] std::vector<interop::DistanceSample> samples(std::uint32_t probe, std::uint32_t face) const;
+    [[nodiscard]] std::vector<interop::DistanceBounds> bounds(std::uint32_t probe, std::uint32_t face,
                                                               std::uint32_t level) const;
 
     /// Texels along an edge for reflection maps of a size: the power of two that is next to it upwards,
     /// within kLargestDistanceMap.
     static std::uint32_t size_for(std::uint32_t map_size);
-    /// Device memory for one reflector, in bytes.
+    /// Device memory for one probe, in bytes.
     static std::uint64_t bytes(std::uint32_t size);
 
   private:
     Device* device_;
     std::vector<std::uint32_t> instances_;
-    std::vector<interop::ReflectorInfo> reflectors_;
+    std::vector<interop::ReflectorInfo> probes_;
     std::uint32_t size_;
     std::vector<interop::DistanceMapInfo> infos_;
     Buffer info_buffer_;

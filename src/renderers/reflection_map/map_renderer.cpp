@@ -17,7 +17,7 @@ namespace {
 std::optional<DistanceMaps> make_distances(Device& device, const SceneData& data, const ReflectionMaps& maps,
                                            MapKind kind, const MapSettings& settings) {
     if (maps.infos().empty() || (!keeps_distances(kind) && !settings.predicts_errors)) return std::nullopt;
-    return std::make_optional<DistanceMaps>(device, data, maps.reflectors(), maps.infos(),
+    return std::make_optional<DistanceMaps>(device, data, maps.instances(), maps.infos(),
                                             DistanceMaps::size_for(settings.size));
 }
 
@@ -66,9 +66,9 @@ Bindings MapRenderer::drawing_bindings() const {
 }
 
 Specialization MapRenderer::drawing_specialization() const {
-    Specialization specialization = with_proxies(scene_.specialization(), maps_, rough_maps_);
+    Specialization specialization =
+        with_proxies(maps_.specialise(scene_.specialization()), maps_, rough_maps_);
     specialization[interop::SPEC_MAP_KIND] = whole_map_kind(kind_);
-    specialization[interop::SPEC_MAP_SIZE] = map_settings_.size;
     if (distances_) specialization[interop::SPEC_DISTANCE_SIZE] = distances_->size();
     return specialization;
 }

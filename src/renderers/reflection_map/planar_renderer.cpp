@@ -11,9 +11,8 @@
 namespace utsuri {
 namespace {
 
-Specialization with_maps(Specialization specialization, std::uint32_t size) {
+Specialization with_proxy_maps(Specialization specialization) {
     specialization[interop::SPEC_MAP_KIND] = whole_map_kind(MapKind::proxy);
-    specialization[interop::SPEC_MAP_SIZE] = size;
     return specialization;
 }
 
@@ -41,7 +40,7 @@ PlanarRenderer::PlanarRenderer(Device& device, const SceneData& data, const GpuS
       rough_maps_(device, data, rough_map_settings(MapKind::proxy, map_settings)),
       light_cache_(device, data, light.settings),
       drawer_(device, data, mirrors_, maps_.reflectors(), maps_.faces(),
-              with_maps(with_proxies(scene.specialization(), maps_, rough_maps_), map_settings.size),
+              with_proxy_maps(with_proxies(maps_.specialise(scene.specialization()), maps_, rough_maps_)),
               drawing_bindings(), settings.width, settings.height) {
     look_from(camera);
 }

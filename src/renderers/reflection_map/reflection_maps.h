@@ -6,6 +6,7 @@
 #include "renderers/common/light_cache.h"
 #include "renderers/common/renderer.h"
 #include "renderers/reflection_map/polyhedron.h"
+#include "renderers/reflection_map/probes.h"
 #include "renderers/reflection_map/proxy.h"
 #include "renderers/reflection_map/reflector_drawer.h"
 #include "renderers/reflection_map/reflectors.h"
@@ -24,7 +25,8 @@ struct MapSettings {
     std::uint32_t size = 256;                                ///< texels along an edge of a map, [1, 4096]
     std::uint32_t samples = 16;                              ///< per texel, >= 1
     std::optional<glm::dvec3> capture_point = std::nullopt;  ///< world space; each reflector's own if not set
-    Polyhedron polyhedron = cube();                          ///< of polygon maps
+    std::uint32_t most_probes = 1;                   ///< capture points of a reflector, [1, kMostProbes]
+    Polyhedron polyhedron = cube();                  ///< of polygon maps
     std::optional<GivenProxy> proxy = std::nullopt;  ///< fitted to what each reflector sees if not set
     PolygonRefinement refinement = {};
     /// Pieces of polygons cut along its faces that there is room for; polygons whose pieces find none are
@@ -35,7 +37,8 @@ struct MapSettings {
     bool predicts_errors = false;  ///< keep what MapRenderer::predict_errors() needs, whatever the method
 };
 
-/// Maps captured for every reflective instance by the tracing kernel, without the instance itself.
+/// Maps captured for every reflective instance by the tracing kernel, without the instance itself, from one
+/// probe or several.
 class ReflectionMaps {
   public:
     /// @throws UsageError if the maps cannot fit into one buffer of the device, with the largest size that
@@ -53,12 +56,18 @@ class ReflectionMaps {
                         const RenderSettings& settings, double& seconds_to_compile, Progress& progress);
 
     [[nodiscard]] const Reflectors& reflectors() const { return reflectors_; }
+    /// Of each probe: those of a reflector follow one another.
     [[nodiscard]] const std::vector<interop::ReflectorInfo>& infos() const { return infos_; }
+    [[nodiscard]] const std::vector<Probe>& probes() const { return probes_; }
+    /// The instance that each probe belongs to.
+    [[nodiscard]] std::vector<std::uint32_t> instances() const;
     [[nodiscard]] Bindings bindings() const;
+    /// What stages that look the maps up are told about them, added to others.
+    [[nodiscard]] Specialization specialise(Specialization others) const;
 
     /// The texels of one map, border included, as a picture.
-    [[nodiscard]] Image map(std::uint32_t reflector, std::uint32_t face) const;
-    [[nodiscard]] std::uint32_t maps_per_reflector() const;
+    [[nodiscard]] Image map(std::uint32_t probe, std::uint32_t face) const;
+    [[nodiscard]] std::uint32_t maps_per_probe() const;
     /// Of the proxies that are not boxes.
     [[nodiscard]] const std::vector<interop::ProxyPlane>& proxy_planes() const { return proxy_planes_; }
     /// Of the polyhedron of maps; none for sphere maps.
@@ -66,7 +75,7 @@ class ReflectionMaps {
 
   private:
     [[nodiscard]] std::uint32_t stride() const { return settings_.size + 2 * interop::MAP_BORDER; }
-    [[nodiscard]] interop::CameraInfo map_camera(std::uint32_t reflector, std::uint32_t face,
+    [[nodiscard]] interop::CameraInfo map_camera(std::uint32_t probe, std::uint32_t face,
                                                  const Camera& eye) const;
 
     Device* device_;
@@ -75,8 +84,11 @@ class ReflectionMaps {
     Reflectors reflectors_;
     std::vector<interop::MapFace> faces_;
     std::vector<interop::ProxyPlane> proxy_planes_;
+    std::vector<Probe> probes_;
     std::vector<interop::ReflectorInfo> infos_;
-    Buffer reflector_infos_;
+    Buffer info_buffer_;
+    std::uint32_t most_probes_;  ///< of one reflector, that there are
+    Buffer ranges_;
     Buffer proxy_plane_buffer_;
     Buffer texels_;
 };

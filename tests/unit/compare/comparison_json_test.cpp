@@ -163,6 +163,7 @@ TEST(ComparisonJson, SettingsOfMapsBelongToMethodsThatUseThem) {
                                                     {"map_samples", 3},
                                                     {"polyhedron", "cube"},
                                                     {"faces", 6},
+                                                    {"most_probes", 1},
                                                     {"proxy", "room.txt"},
                                                     {"capture_point", {0.5, 1.0, -2.0}}}));
     EXPECT_FALSE(json["methods"][2]["settings"].contains("capture_point"));
