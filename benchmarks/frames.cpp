@@ -6,17 +6,14 @@
 #include "import/gltf.h"
 
 #include "median.h"
+#include "scene_program.h"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 
 namespace utsuri {
 namespace {
@@ -61,8 +58,10 @@ Json measure_method(const Method& method, const RenderInput& input, const Render
             {"shown_ms", shown}};
 }
 
-Json measure_scene(Device& device, const std::string& path, const RenderSettings& settings,
-                   const MapSettings& maps, int rounds) {
+Json measure_scene(Device& device, const std::string& path, const SceneProgram& program) {
+    const RenderSettings& settings = program.settings;
+    MapSettings maps;
+    maps.size = program.map_size;
     const Scene scene = import_gltf(path).scene;
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device, data);
@@ -72,7 +71,7 @@ Json measure_scene(Device& device, const std::string& path, const RenderSettings
     fmt::print("{}, {}x{}, a sample per pixel\n", result["scene"].get<std::string>(), settings.width,
                settings.height);
     for (const Method& method : all_methods(LightMethod::direct)) {
-        const Json row = measure_method(method, input, settings, maps, rounds);
+        const Json row = measure_method(method, input, settings, maps, program.rounds);
         fmt::print(
             "  {:<20} prepare {:7.3f} s   compile {:6.3f} s   frame {:8.2f} ms   on the device {:8.2f} ms   "
             "{}\n",
@@ -86,45 +85,10 @@ Json measure_scene(Device& device, const std::string& path, const RenderSettings
     return result;
 }
 
-int run(int argc, char** argv) {
-    CLI::App app("What a frame costs with each method");
-    std::vector<std::string> scenes;
-    std::string json_path;
-    std::string wanted_device;
-    RenderSettings settings;
-    MapSettings maps;
-    int rounds = 31;
-    app.add_option("scenes", scenes, "glTF scenes")->required();
-    app.add_option("--json", json_path, "Write the figures to this file");
-    app.add_option("--device", wanted_device, "Vulkan device")->envname("UTSURI_DEVICE");
-    app.add_option("--width", settings.width, "Width of the picture")->capture_default_str();
-    app.add_option("--height", settings.height, "Height of the picture")->capture_default_str();
-    app.add_option("--map-size", maps.size, "Texels along an edge of a map")->capture_default_str();
-    app.add_option("--rounds", rounds, "Frames per method")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    CLI11_PARSE(app, argc, argv);
-
-    const VulkanInstance instance;
-    Device device(instance, wanted_device);
-    Json report = {{"device", device.summary().name}, {"driver", device.summary().driver},
-                   {"width", settings.width},         {"height", settings.height},
-                   {"map_size", maps.size},           {"scenes", Json::array()}};
-    fmt::print("{}, {}\n", device.summary().name, device.summary().driver);
-    for (const std::string& path : scenes)
-        report["scenes"].push_back(measure_scene(device, path, settings, maps, rounds));
-    if (!json_path.empty()) std::ofstream(json_path) << report.dump(2) << '\n';
-    return 0;
-}
-
 }  // namespace
 }  // namespace utsuri
 
 int main(int argc, char** argv) {
-    try {
-        return utsuri::run(argc, argv);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "bench_frames: {}\n", error.what());
-        return 1;
-    }
+    return utsuri::run_scene_program(argc, argv, "What a frame costs with each method",
+                                     utsuri::measure_scene);
 }
