@@ -2,6 +2,7 @@
 #include "renderers/reflection_map/reflected_rays.h"
 
 #include "renderers/reflection_map/reflector_shape.h"
+#include "renderers/reflection_map/scene_triangles.h"
 #include "renderers/reflection_map/view_directions.h"
 
 #include "base/sampler.h"
@@ -27,15 +28,13 @@ class Area {
   public:
     Area(const SceneData& scene, std::uint32_t instance) : scene_(scene) {
         double sum = 0.0;
-        for (std::uint32_t t = 0; t < scene.triangle_infos.size(); ++t) {
-            if (scene.triangle_infos[t].instance != instance) continue;
-            const interop::BvhTriangle& corners = scene.bvh.triangles[t];
-            for (const glm::vec3& corner : {corners.v0, corners.v1, corners.v2})
-                bounds_.extend(corner);
-            const double area = 0.5 * glm::length(cross_of(t));
+        const std::vector<std::uint32_t> all = triangles_of(scene, instance);
+        bounds_ = bounds_of(scene, all);
+        for (const std::uint32_t triangle : all) {
+            const double area = glm::length(doubled_area(corners_of(scene, triangle)));
             if (!(area > 0.0)) continue;
             sum += area;
-            triangles_.push_back(t);
+            triangles_.push_back(triangle);
             sums_.push_back(sum);
         }
     }
@@ -52,26 +51,20 @@ class Area {
         const auto chosen =
             std::min<std::ptrdiff_t>(above - sums_.begin(), static_cast<std::ptrdiff_t>(sums_.size()) - 1);
         const std::uint32_t triangle = triangles_[static_cast<std::size_t>(chosen)];
-        const interop::BvhTriangle& corners = scene_.bvh.triangles[triangle];
-        const double root = std::sqrt(where.x);
-        const glm::dvec3 position = (1.0 - root) * glm::dvec3(corners.v0) +
-                                    root * (1.0 - where.y) * glm::dvec3(corners.v1) +
-                                    root * where.y * glm::dvec3(corners.v2);
-        return {triangle, position, glm::normalize(cross_of(triangle))};
+        const Corners corners = corners_of(scene_, triangle);
+        const double root = std::sqrt(static_cast<double>(where.x));
+        const glm::dvec3 position =
+            (1.0 - root) * corners[0] + root * (1.0 - where.y) * corners[1] + root * where.y * corners[2];
+        return {triangle, position, glm::normalize(doubled_area(corners))};
     }
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
     [[nodiscard]] double size() const { return glm::length(glm::dvec3(bounds_.extent())); }
 
   private:
-    [[nodiscard]] glm::dvec3 cross_of(std::uint32_t triangle) const {
-        const interop::BvhTriangle& c = scene_.bvh.triangles[triangle];
-        return glm::cross(glm::dvec3(c.v1) - glm::dvec3(c.v0), glm::dvec3(c.v2) - glm::dvec3(c.v0));
-    }
-
     const SceneData& scene_;
     Bounds bounds_;
     std::vector<std::uint32_t> triangles_;
-    std::vector<double> sums_;  ///< of areas up to and with each
+    std::vector<double> sums_;  ///< of doubled areas up to and with each
 };
 
 /// @param u two numbers in [0, 1)
