@@ -303,7 +303,8 @@ void add_render_command(CLI::App& app, Action& action) {
         "--within and --error look the choice up in what 'utsuri trade' finds for this scene, camera, size "
         "and "
         "device. That is measured once, which takes minutes, and kept in $XDG_CACHE_HOME/utsuri or "
-        "~/.cache/utsuri. Maps of a quarter, half and all of --map-size are tried.");
+        "~/.cache/utsuri. Maps of a quarter, half and all of --map-size are tried, from one capture point "
+        "and several.");
     command->callback(
         [=, &action] { action = [=] { return render(*options, given_picture_options(*command)); }; });
 }

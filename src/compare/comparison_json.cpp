@@ -45,8 +45,8 @@ Json settings_to_json(const MethodResult& result) {
             json["polyhedron"] = result.maps->polyhedron.name;
             json["faces"] = result.maps->polyhedron.planes.size();
         }
-        if (result.maps->proxy) json["proxy"] = result.maps->proxy->name;
         json["most_probes"] = result.maps->most_probes;
+        if (result.maps->proxy) json["proxy"] = result.maps->proxy->name;
         if (result.method.reflection == ReflectionMethod::hybrid) json["tolerance"] = result.maps->tolerance;
         if (result.maps->capture_point) {
             const glm::dvec3& point = *result.maps->capture_point;

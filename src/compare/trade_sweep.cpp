@@ -14,6 +14,8 @@ namespace {
 constexpr std::array kMapScales = {0.25, 0.5, 1.0};
 /// Interpolation errors of polygons tried, in degrees: a texel of a map of 256 is a third of a degree.
 constexpr std::array kPolygonErrors = {4.0, 1.0};
+/// Capture points of a reflector that are tried beside one.
+constexpr std::uint32_t kSeveralProbes = 4;
 
 TradeSetting with_map_size(TradeSetting setting, std::uint32_t size) {
     setting.maps.size = size;
@@ -25,6 +27,17 @@ TradeSetting with_polygon_error(TradeSetting setting, double degrees) {
     setting.maps.refinement.error = degrees * std::numbers::pi / 180.0;
     setting.options.insert(setting.options.end(), {"--polygon-error", fmt::format("{}", degrees)});
     return setting;
+}
+
+TradeSetting with_probes(TradeSetting setting, std::uint32_t most) {
+    setting.maps.most_probes = most;
+    setting.options.insert(setting.options.end(), {"--probes", fmt::format("{}", most)});
+    return setting;
+}
+
+/// Whether the method looks up whichever of several probes of a plane mirror or a curved one is best.
+bool chooses_probes(ReflectionMethod reflection) {
+    return reflection != ReflectionMethod::sphere_map && reflection != ReflectionMethod::planar;
 }
 
 /// Each size once, the smallest first.
@@ -45,6 +58,8 @@ std::vector<TradeSetting> settings_of(const Method& method, const MapSettings& g
     if (!uses_maps(method)) return {plain};
     for (const std::uint32_t size : map_sizes(given.size))
         settings.push_back(with_map_size(plain, size));
+    if (given.most_probes == 1 && chooses_probes(method.reflection))
+        settings.push_back(with_probes(with_map_size(plain, given.size), kSeveralProbes));
     const bool as_modelled = !given.refinement.edge && !given.refinement.error;
     if (method.reflection == ReflectionMethod::polygon_map && as_modelled) {
         for (const double degrees : kPolygonErrors)

@@ -12,7 +12,7 @@
 namespace utsuri {
 namespace {
 
-constexpr const char* kFrontRow = "{:>10}{:>11}{:>10}{:>11}  {:<19}{}\n";
+constexpr const char* kFrontRow = "{:>10}{:>11}{:>10}{:>11}  {:<21}{}\n";
 
 std::string front_rows(const Trade& trade, const ErrorMetric& metric, TradeTime time) {
     std::string text =

@@ -35,7 +35,7 @@ TEST(Sweep, MapsAreTriedUpToTheSizeAskedFor) {
     given.size = 100;
     given.samples = 3;
     const auto settings = settings_of(ReflectionMethod::cube_map, given);
-    ASSERT_EQ(settings.size(), 3u);
+    ASSERT_EQ(settings.size(), 4u);
     EXPECT_THAT(settings[0].options, ElementsAre("--reflection", "cube-map", "--map-size", "25"));
     EXPECT_EQ(settings[0].maps.size, 25u);
     EXPECT_EQ(settings[1].maps.size, 50u);
@@ -47,10 +47,10 @@ TEST(Sweep, NoSizeIsTriedTwiceAndNoneIsNothing) {
     MapSettings given;
     given.size = 1;
     const auto smallest = settings_of(ReflectionMethod::cube_map, given);
-    ASSERT_EQ(smallest.size(), 1u);
+    ASSERT_EQ(smallest.size(), 2u) << "with one probe and with several";
     EXPECT_EQ(smallest[0].maps.size, 1u);
     given.size = 2;
-    EXPECT_EQ(settings_of(ReflectionMethod::cube_map, given).size(), 2u);
+    EXPECT_EQ(settings_of(ReflectionMethod::cube_map, given).size(), 3u);
 }
 
 TEST(Sweep, PolygonsAreTriedUnlessTheirSizeIsGiven) {
@@ -64,6 +64,18 @@ TEST(Sweep, PolygonsAreTriedUnlessTheirSizeIsGiven) {
         EXPECT_EQ(setting.maps.refinement.edge, 0.1);
         EXPECT_FALSE(setting.maps.refinement.error);
     }
+}
+
+TEST(Sweep, SeveralProbesAreTriedUnlessTheirNumberIsGiven) {
+    MapSettings given;
+    const auto settings = settings_of(ReflectionMethod::cube_map, given);
+    EXPECT_THAT(settings.back().options,
+                ElementsAre("--reflection", "cube-map", "--map-size", "256", "--probes", "4"));
+    EXPECT_EQ(settings.back().maps.most_probes, 4u);
+    EXPECT_EQ(settings_of(ReflectionMethod::sphere_map, given).back().maps.most_probes, 1u);
+    given.most_probes = 2;
+    for (const TradeSetting& setting : settings_of(ReflectionMethod::cube_map, given))
+        EXPECT_EQ(setting.maps.most_probes, 2u);
 }
 
 TEST(Sweep, EveryMethodIsTriedAndNoSettingTwice) {
