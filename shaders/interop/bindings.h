@@ -51,6 +51,9 @@ INTEROP_CONSTANT BINDING_LOBE_ALBEDO = 41u;
 INTEROP_CONSTANT BINDING_PROXY_PLANES = 42u;        ///< of reflectors
 INTEROP_CONSTANT BINDING_ROUGH_PROXY_PLANES = 43u;  ///< of instances with rough maps
 INTEROP_CONSTANT BINDING_PROBE_RANGES = 44u;        ///< ProbeRange of each reflector
+INTEROP_CONSTANT BINDING_RADIANCE_SAMPLES = 45u;    ///< of one face about a capture point
+INTEROP_CONSTANT BINDING_DARKEST = 46u;  ///< of each block of directions, numbered as distance bounds
+INTEROP_CONSTANT BINDING_BRIGHTEST = 47u;
 
 INTEROP_END
 #endif

@@ -12,7 +12,8 @@ INTEROP_CONSTANT DISTANCE_FACES = 6u;
 INTEROP_CONSTANT DISTANCE_BORDER = 1u;
 
 /// What rays from the capture point meet, in metres: infinity where they meet nothing; 0 where what they meet
-/// lies behind the plane of a plane mirror, which can never show it; negative where they meet a mirror.
+/// lies behind the plane of a plane mirror, which can never show it; negative where they meet a mirror or,
+/// where distances are to tell of radiance, a rough lobe: what depends on from where it is seen.
 struct DistanceSample {
     float centre;  ///< through the centre of the texel
     float corner;  ///< through its corner of least coordinates

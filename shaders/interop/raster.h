@@ -14,7 +14,7 @@ struct RasterPush {
     vec2 pixel;              ///< size of a pixel, in pictures
     uint specular_depth;     ///< most specular reflections followed
     uint excluded_instance;  ///< NONE
-    float tolerance;         ///< predicted displacement up to which maps are looked up, in pixels
+    float tolerance;  ///< predicted error up to which maps are looked up: pixels, or share of the radiance
 };
 
 /// The fourth channel of a drawn picture tells how a pixel's reflection was found. Above DRAWN_LOOKED_UP: by

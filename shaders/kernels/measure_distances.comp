@@ -10,6 +10,7 @@
 layout(local_size_x = 64) in;
 
 layout(constant_id = SPEC_DISTANCE_SIZE) const uint DISTANCE_SIZE = 256u;
+layout(constant_id = SPEC_TELLS_RADIANCE) const bool TELLS_RADIANCE = false;
 
 layout(push_constant, scalar) uniform Push { MeasureDistancesPush push; };
 
@@ -25,7 +26,9 @@ float distance_along(vec3 direction) {
     vec3 point = push.capture_point + hit.t * direction;
     bool is_plane = push.plane_normal != vec3(0.0);
     if (is_plane && dot(push.plane_normal, point) <= push.plane_distance) return 0.0;
-    return is_specular(make_surface(hit, direction)) ? -hit.t : hit.t;
+    Surface surface = make_surface(hit, direction);
+    // A mirror shows things at places of their own. A rough lobe shows its surface in its place, but not as bright.
+    return is_specular(surface) || (TELLS_RADIANCE && is_glossy(surface)) ? -hit.t : hit.t;
 }
 
 /// A direction just behind the plane of a plane mirror that holds the capture point, lifted to just before it; any other is

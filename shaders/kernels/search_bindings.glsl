@@ -39,12 +39,12 @@ ProbeHit search_probe(uint probe, vec3 position, vec3 direction) {
 /// The first probe that sees what a ray meets, beginning with that which the ray passes nearest; that one if none does.
 ProbeHit search_probes(uint reflector, vec3 position, vec3 direction) {
     ProbeHit nearest = search_probe(nearest_probe(reflector, position, direction), position, direction);
-    if (MOST_PROBES == 1u || is_known(nearest.interval)) return nearest;
+    if (MOST_PROBES == 1u || is_told(nearest.interval)) return nearest;
     ProbeRange range = probe_ranges[reflector];
     for (uint probe = range.first; probe < range.first + range.count; ++probe) {
         if (probe == nearest.probe) continue;
         ProbeHit other = search_probe(probe, position, direction);
-        if (is_known(other.interval)) return other;
+        if (is_told(other.interval)) return other;
     }
     return nearest;
 }

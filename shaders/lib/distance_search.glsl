@@ -44,8 +44,8 @@ struct HitInterval {
     float guess;  ///< within the interval: where what is seen beside the hiding object would go on
 };
 
-/// Whether the capture point sees what the ray meets.
-bool is_known(HitInterval interval) {
+/// Whether the capture point sees what the ray meets, wherever in the interval that is, or nothing is met.
+bool is_told(HitInterval interval) {
     return !isinf(interval.t1) || isinf(interval.t0);
 }
 
@@ -60,12 +60,17 @@ struct SearchPlace {
     ivec2 texel;
 };
 
-DistanceBounds block_bounds(uint first_bounds, SearchPlace place) {
+/// The number of a block's bounds.
+uint block_number(uint first_bounds, SearchPlace place) {
     uint at_level = DISTANCE_SIZE >> place.level;
     uint first = 4u * (DISTANCE_SIZE * DISTANCE_SIZE - at_level * at_level) / 3u;
     const uint BOUNDS_PER_FACE = (4u * DISTANCE_SIZE * DISTANCE_SIZE - 1u) / 3u;
     uvec2 block = uvec2(place.texel) >> place.level;
-    return distance_bounds[first_bounds + place.face * BOUNDS_PER_FACE + first + block.y * at_level + block.x];
+    return first_bounds + place.face * BOUNDS_PER_FACE + first + block.y * at_level + block.x;
+}
+
+DistanceBounds block_bounds(uint first_bounds, SearchPlace place) {
+    return distance_bounds[block_number(first_bounds, place)];
 }
 
 /// The least of all distances about a capture point.

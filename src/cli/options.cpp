@@ -86,6 +86,24 @@ glm::dvec3 parse_point(const std::string& text) {
     return point;
 }
 
+Tolerance parse_tolerance(const std::string& text) {
+    const bool is_share = text.ends_with('%');
+    const auto value =
+        parse_number<double>(std::string_view(text).substr(0, text.size() - (is_share ? 1 : 0)));
+    const double unit = is_share ? 100.0 : 1.0;
+    const double least = is_share ? kLeastRadianceTolerance : 0.0;
+    const double most = is_share ? kMostRadianceTolerance : kMostPlaceTolerance;
+    if (!value || !(*value >= unit * least && *value <= unit * most)) {
+        throw UsageError(
+            "use --tolerance", fmt::format("'{}'", text),
+            fmt::format("expected pixels from 0 to {:g}, such as 1, or a share of the radiance from "
+                        "{:g}% to {:g}%, such as 5%",
+                        kMostPlaceTolerance, 100.0 * kLeastRadianceTolerance,
+                        100.0 * kMostRadianceTolerance));
+    }
+    return {is_share ? Tolerance::Of::radiance : Tolerance::Of::place, *value / unit};
+}
+
 RenderSettings PictureOptions::render_settings() const {
     const glm::uvec2 pixels = parse_size(size);
     return {pixels.x, pixels.y, seed, depth};
@@ -100,7 +118,7 @@ MapSettings PictureOptions::map_settings() const {
     const bool is_file = polyhedron.find_first_of("./\\") != std::string::npos;
     settings.polyhedron = is_file ? read_polyhedron(polyhedron) : platonic_solid(polyhedron);
     if (proxy) settings.proxy = read_proxy(*proxy);
-    settings.tolerance = static_cast<float>(tolerance);
+    settings.tolerance = parse_tolerance(tolerance);
     settings.refinement.edge = polygon_edge;
     if (polygon_error) settings.refinement.error = *polygon_error * std::numbers::pi / 180.0;
     return settings;
@@ -181,9 +199,9 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->check(finite_range(1e-3, 90.0));
     command
         .add_option("--tolerance", options.tolerance,
-                    "Pixels by which hybrid may show a reflection off its place; where more is predicted, a "
-                    "ray is traced")
-        ->check(finite_range(0.0, 1e6))
+                    "What hybrid may show wrong: pixels that a reflection is off its place, such as 1, or a "
+                    "share of its radiance, such as 5%; where more is predicted, a ray is traced")
+        ->type_name("PIXELS|PERCENT%")
         ->capture_default_str();
     command.add_option("--exposure", options.exposure, "Exposure of display images in stops [automatic]")
         ->check(finite_range(-kMostStops, kMostStops));

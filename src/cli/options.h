@@ -39,7 +39,7 @@ struct PictureOptions {
     std::optional<std::string> proxy;
     std::optional<double> polygon_edge;
     std::optional<double> polygon_error;
-    double tolerance = 1.0;
+    std::string tolerance = "1";
     std::optional<double> exposure;
 
     [[nodiscard]] RenderSettings render_settings() const;
@@ -57,6 +57,9 @@ CLI::Validator finite_range(double lowest, double highest);
 glm::uvec2 parse_size(const std::string& text);
 /// "33ms", "2s", "1.5min" or a number of seconds; > 0.
 double parse_duration(const std::string& text);
+/// "1", in pixels, or "5%", of the radiance.
+/// @throws UsageError that tells the ranges
+Tolerance parse_tolerance(const std::string& text);
 /// "0.5,1,-2".
 glm::dvec3 parse_point(const std::string& text);
 /// "depth,normal".

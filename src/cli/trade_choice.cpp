@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
@@ -21,7 +22,7 @@ namespace utsuri {
 namespace {
 
 /// Picture options whose values the runs of a sweep set themselves.
-constexpr std::string_view kSweptOption = "map-size";
+constexpr std::array<std::string_view, 2> kSweptOptions = {"map-size", "tolerance"};
 
 /// As the XDG base directory specification has it; none without a home.
 std::optional<std::filesystem::path> cache_folder() {
@@ -98,7 +99,9 @@ std::vector<std::string> given_picture_options(const CLI::App& command) {
     for (const CLI::Option* option : pictures.get_options()) {
         const std::string& name = option->get_lnames().front();
         const CLI::Option* given = command.get_option_no_throw("--" + name);
-        if (name == kSweptOption || given == nullptr || given->count() == 0) continue;
+        const bool is_swept =
+            std::find(kSweptOptions.begin(), kSweptOptions.end(), name) != kSweptOptions.end();
+        if (is_swept || given == nullptr || given->count() == 0) continue;
         words.push_back("--" + name);
         words.push_back(given->results().back());
     }

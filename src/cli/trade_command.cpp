@@ -139,8 +139,9 @@ void add_trade_command(CLI::App& app, const std::string& command_line, Action& a
     command->footer(
         "Maps of a quarter, half and all of --map-size are tried, one capture point and several unless "
         "--probes "
-        "sets how many, and polygons as modelled and finer, unless --polygon-edge or --polygon-error sets "
-        "theirs.");
+        "sets how many, polygons as modelled and finer unless --polygon-edge or --polygon-error sets theirs, "
+        "and "
+        "hybrid at a half, once, twice and four times --tolerance.");
     command->callback([=, &action] {
         action = [=] { return trade(*options, given_picture_options(*command), command_line); };
     });

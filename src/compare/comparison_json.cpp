@@ -47,7 +47,11 @@ Json settings_to_json(const MethodResult& result) {
         }
         json["most_probes"] = result.maps->most_probes;
         if (result.maps->proxy) json["proxy"] = result.maps->proxy->name;
-        if (result.method.reflection == ReflectionMethod::hybrid) json["tolerance"] = result.maps->tolerance;
+        if (result.method.reflection == ReflectionMethod::hybrid) {
+            const Tolerance& tolerance = result.maps->tolerance;
+            json[tolerance.of == Tolerance::Of::radiance ? "radiance_tolerance" : "tolerance"] =
+                tolerance.most;
+        }
         if (result.maps->capture_point) {
             const glm::dvec3& point = *result.maps->capture_point;
             json["capture_point"] = {point.x, point.y, point.z};

@@ -17,6 +17,9 @@ constexpr std::array kPolygonErrors = {4.0, 1.0};
 /// Capture points of a reflector that are tried beside one.
 constexpr std::uint32_t kSeveralProbes = 4;
 
+/// Tolerances of hybrid tried beside the one asked for, as multiples of it.
+constexpr std::array kToleranceScales = {0.5, 2.0, 4.0};
+
 TradeSetting with_map_size(TradeSetting setting, std::uint32_t size) {
     setting.maps.size = size;
     setting.options.insert(setting.options.end(), {"--map-size", fmt::format("{}", size)});
@@ -40,6 +43,29 @@ bool chooses_probes(ReflectionMethod reflection) {
     return reflection != ReflectionMethod::sphere_map && reflection != ReflectionMethod::planar;
 }
 
+TradeSetting with_tolerance(TradeSetting setting, double most) {
+    Tolerance& tolerance = setting.maps.tolerance;
+    tolerance.most = most;
+    const bool is_share = tolerance.of == Tolerance::Of::radiance;
+    setting.options.insert(
+        setting.options.end(),
+        {"--tolerance", is_share ? fmt::format("{:.10g}%", 100.0 * most) : fmt::format("{:.10g}", most)});
+    return setting;
+}
+
+/// Beside the one asked for, each once.
+std::vector<double> other_tolerances(const Tolerance& given) {
+    const bool is_share = given.of == Tolerance::Of::radiance;
+    std::vector<double> tolerances;
+    for (const double scale : kToleranceScales) {
+        const double most = std::clamp(scale * given.most, is_share ? kLeastRadianceTolerance : 0.0,
+                                       is_share ? kMostRadianceTolerance : kMostPlaceTolerance);
+        const bool is_known = std::find(tolerances.begin(), tolerances.end(), most) != tolerances.end();
+        if (most != given.most && !is_known) tolerances.push_back(most);
+    }
+    return tolerances;
+}
+
 /// Each size once, the smallest first.
 std::vector<std::uint32_t> map_sizes(std::uint32_t given) {
     std::vector<std::uint32_t> sizes;
@@ -56,10 +82,20 @@ std::vector<TradeSetting> settings_of(const Method& method, const MapSettings& g
     const TradeSetting plain{method, given, {"--reflection", std::string(to_string(method.reflection))}};
     std::vector<TradeSetting> settings;
     if (!uses_maps(method)) return {plain};
-    for (const std::uint32_t size : map_sizes(given.size))
-        settings.push_back(with_map_size(plain, size));
-    if (given.most_probes == 1 && chooses_probes(method.reflection))
-        settings.push_back(with_probes(with_map_size(plain, given.size), kSeveralProbes));
+    const bool is_hybrid = method.reflection == ReflectionMethod::hybrid;
+    for (const std::uint32_t size : map_sizes(given.size)) {
+        const TradeSetting sized = with_map_size(plain, size);
+        settings.push_back(is_hybrid ? with_tolerance(sized, given.tolerance.most) : sized);
+    }
+    if (given.most_probes == 1 && chooses_probes(method.reflection)) {
+        const TradeSetting sized = with_map_size(plain, given.size);
+        settings.push_back(
+            with_probes(is_hybrid ? with_tolerance(sized, given.tolerance.most) : sized, kSeveralProbes));
+    }
+    if (is_hybrid) {
+        for (const double most : other_tolerances(given.tolerance))
+            settings.push_back(with_tolerance(with_map_size(plain, given.size), most));
+    }
     const bool as_modelled = !given.refinement.edge && !given.refinement.error;
     if (method.reflection == ReflectionMethod::polygon_map && as_modelled) {
         for (const double degrees : kPolygonErrors)

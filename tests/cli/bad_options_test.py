@@ -77,6 +77,14 @@ class BadOptions(CliCase):
             self.refuse(("--fail-above", value, "0 to"), "compare", "scene.glb", "--fail-above", value)
             self.refuse(("--fail-above", value, "0 to"), "diff", "a.png", "b.png", "--fail-above", value)
 
+    def test_tolerances(self):
+        values = ("-1", "2000000", "nan", "inf", "%", "5 %", "%5", "5%%", "0%", "0.001%", "101%", "-5%", "nan%",
+                  "5percent")
+        for value in values:
+            self.refuse((f"'{value}'", "--tolerance", "0 to 1e+06", "0.01% to 100%"),
+                        "render", "scene.glb", "-o", "picture.exr", f"--tolerance={value}")
+        self.refuse_picture_option("--tolerance", ("5px", "1e7"), "--tolerance", "0 to 1e+06", "0.01% to 100%")
+
     def test_every_number_has_a_range_and_tells_it(self):
         """Found in the help, so that no option is forgotten."""
         arguments = {"render": ("scene.glb", "-o", "picture.exr"), "compare": ("scene.glb", "-o", "folder"),

@@ -7,6 +7,7 @@
 #include "interop/distance_map.h"
 #include "interop/frame.h"
 #include "interop/light_cache.h"
+#include "interop/radiance_bounds.h"
 #include "interop/raster.h"
 #include "interop/rays.h"
 #include "interop/reflection.h"
@@ -83,6 +84,12 @@ std::map<std::string, HostStruct> host_structs() {
          {sizeof(BoundDistancesPush),
           {AT(BoundDistancesPush, first_source), AT(BoundDistancesPush, first_bounds),
            AT(BoundDistancesPush, size)}}},
+        {"RadianceSample",
+         {sizeof(RadianceSample), {AT(RadianceSample, centre), AT(RadianceSample, corner)}}},
+        {"MeasureRadiancePush",
+         {sizeof(MeasureRadiancePush),
+          {AT(MeasureRadiancePush, capture_point), AT(MeasureRadiancePush, excluded_instance),
+           AT(MeasureRadiancePush, face), AT(MeasureRadiancePush, begin), AT(MeasureRadiancePush, end)}}},
         {"FilmSum", {sizeof(FilmSum), {AT(FilmSum, sum), AT(FilmSum, compensation)}}},
         {"FilmPixel", {sizeof(FilmPixel), {AT(FilmPixel, halves)}}},
         {"Counters",

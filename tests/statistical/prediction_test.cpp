@@ -5,16 +5,12 @@
 #include "support/methods.h"
 #include "support/test_device.h"
 
-#include "geometry/reference_intersection.h"
-
-#include <glm/geometric.hpp>
+#include "reflector_eyes.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <limits>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,32 +76,6 @@ void add_view(Tally& tally, const std::vector<PredictedError>& predicted,
     }
 }
 
-/// Eyes that each look at the front of a reflector.
-std::vector<Camera> random_eyes(const Scene& scene, const SceneData& data, std::size_t count, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> share(0.0, 1.0);
-    std::vector<Camera> eyes;
-    const auto& reflective = data.requirements.reflective_instances;
-    while (eyes.size() < count && !reflective.empty()) {
-        const glm::dvec3 lower = glm::dvec3(data.bounds.lower) + data.origin;
-        const glm::dvec3 size(data.bounds.extent());
-        const glm::dvec3 eye = lower + size * glm::dvec3(share(random), share(random), share(random));
-        const std::uint32_t instance = reflective[random() % reflective.size()];
-        const Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
-        const glm::uvec3 corners = mesh.triangles[random() % mesh.triangles.size()];
-        const double along = share(random);
-        const double across = share(random) * (1.0 - along);
-        const glm::dvec3 place = (1.0 - along - across) * glm::dvec3(mesh.positions[corners.x]) +
-                                 along * glm::dvec3(mesh.positions[corners.y]) +
-                                 across * glm::dvec3(mesh.positions[corners.z]);
-        const glm::dvec3 target(scene.instances[instance].world_from_object * glm::dvec4(place, 1));
-        const auto hit = closest_hit_reference(data.bvh, eye - data.origin, target - eye, 2.0);
-        if (hit && !hit->back_face && data.triangle_infos[hit->triangle].instance == instance)
-            eyes.push_back(look_at(eye, target, 0.9));
-    }
-    return eyes;
-}
-
 constexpr std::array kKinds = {std::pair{MapKind::polygon, "polygon"}, std::pair{MapKind::sphere, "sphere"},
                                std::pair{MapKind::cube, "cube"}, std::pair{MapKind::proxy, "proxy"},
                                std::pair{MapKind::distance, "distance"}};
@@ -138,7 +108,7 @@ class PredictedErrors : public DeviceTest {
         const GpuScene gpu_scene(device(), data);
         FilledLight light;
         light.settings = {1.0 / 20.0, 1};  // light does not matter here
-        const std::vector<Camera> eyes = random_eyes(scene, data, trial.eyes, 1);
+        const std::vector<Camera> eyes = eyes_before_reflectors(scene, data, trial.eyes, 1);
         for (const auto& [kind, name] : kKinds) {
             Tally result = tally(data, gpu_scene, light, eyes, kind, trial.most_probes);
             EXPECT_GT(result.parallax_pixels, 1000u) << name;
@@ -178,7 +148,7 @@ class TracedPixels : public DeviceTest {
         MapSettings settings;
         settings.size = 64;
         settings.samples = 1;
-        settings.tolerance = tolerance;
+        settings.tolerance = {Tolerance::Of::place, tolerance};
         settings.predicts_errors = true;
         RenderSettings picture;
         picture.width = kWidth;

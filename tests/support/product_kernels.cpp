@@ -4,6 +4,7 @@
 #include "kernels/add_drawn.h"
 #include "kernels/aov.h"
 #include "kernels/bound_distances.h"
+#include "kernels/bound_radiance.h"
 #include "kernels/cut_polygons.h"
 #include "kernels/draw_curved_reflectors_vert.h"
 #include "kernels/draw_curved_vert.h"
@@ -17,6 +18,7 @@
 #include "kernels/draw_image_mirror_frag.h"
 #include "kernels/draw_image_scene_frag.h"
 #include "kernels/draw_image_surroundings_frag.h"
+#include "kernels/draw_radiance_hybrid_reflector_frag.h"
 #include "kernels/draw_reflector_frag.h"
 #include "kernels/draw_reflectors_vert.h"
 #include "kernels/draw_scene_frag.h"
@@ -26,11 +28,13 @@
 #include "kernels/fill_light_cache.h"
 #include "kernels/halve_map.h"
 #include "kernels/measure_distances.h"
+#include "kernels/measure_radiance.h"
 #include "kernels/measure_reflection_frag.h"
 #include "kernels/predict_reflection_frag.h"
 #include "kernels/prefilter_map.h"
 #include "kernels/prefix_sum.h"
 #include "kernels/reduce_bounds.h"
+#include "kernels/reduce_radiance.h"
 #include "kernels/reflect_vertices.h"
 #include "kernels/resolve_map.h"
 #include "kernels/sort_polygons.h"
@@ -44,6 +48,7 @@ std::vector<ProductKernel> product_kernels() {
     return {{"add_drawn", kernels::add_drawn},
             {"aov", kernels::aov},
             {"bound_distances", kernels::bound_distances},
+            {"bound_radiance", kernels::bound_radiance},
             {"cut_polygons", kernels::cut_polygons},
             {"draw_curved_reflectors_vert", kernels::draw_curved_reflectors_vert},
             {"draw_curved_vert", kernels::draw_curved_vert},
@@ -57,6 +62,7 @@ std::vector<ProductKernel> product_kernels() {
             {"draw_image_mirror_frag", kernels::draw_image_mirror_frag},
             {"draw_image_scene_frag", kernels::draw_image_scene_frag},
             {"draw_image_surroundings_frag", kernels::draw_image_surroundings_frag},
+            {"draw_radiance_hybrid_reflector_frag", kernels::draw_radiance_hybrid_reflector_frag},
             {"draw_reflector_frag", kernels::draw_reflector_frag},
             {"draw_reflectors_vert", kernels::draw_reflectors_vert},
             {"draw_scene_frag", kernels::draw_scene_frag},
@@ -66,11 +72,13 @@ std::vector<ProductKernel> product_kernels() {
             {"fill_light_cache", kernels::fill_light_cache},
             {"halve_map", kernels::halve_map},
             {"measure_distances", kernels::measure_distances},
+            {"measure_radiance", kernels::measure_radiance},
             {"measure_reflection_frag", kernels::measure_reflection_frag},
             {"predict_reflection_frag", kernels::predict_reflection_frag},
             {"prefilter_map", kernels::prefilter_map},
             {"prefix_sum", kernels::prefix_sum},
             {"reduce_bounds", kernels::reduce_bounds},
+            {"reduce_radiance", kernels::reduce_radiance},
             {"reflect_vertices", kernels::reflect_vertices},
             {"resolve_map", kernels::resolve_map},
             {"sort_polygons", kernels::sort_polygons},

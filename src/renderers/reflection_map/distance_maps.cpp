@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/distance_maps.h"
 
+#include "renderers/reflection_map/distance_levels.h"
 #include "renderers/reflection_map/reflector_shape.h"
 
 #include "base/error.h"
@@ -22,25 +23,6 @@ namespace utsuri {
 namespace {
 
 constexpr std::uint32_t kGroupSize = 64;
-
-std::uint32_t samples_per_face(std::uint32_t size) {
-    const std::uint32_t stride = size + 2 * interop::DISTANCE_BORDER;
-    return stride * stride;
-}
-
-/// Where a level begins among the bounds of a face: levels of size^2, size^2 / 4, ... texels come before it.
-std::uint32_t first_of_level(std::uint32_t size, std::uint32_t level) {
-    const std::uint32_t at_level = size >> level;
-    return 4 * (size * size - at_level * at_level) / 3;
-}
-
-std::uint32_t levels(std::uint32_t size) {
-    return static_cast<std::uint32_t>(std::bit_width(size));
-}
-
-std::uint32_t bounds_per_face(std::uint32_t size) {
-    return first_of_level(size, levels(size) - 1) + 1;
-}
 
 std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const SceneData& data,
                                                  const std::vector<std::uint32_t>& instances,
@@ -94,11 +76,13 @@ std::uint64_t DistanceMaps::bytes(std::uint32_t size) {
 }
 
 DistanceMaps::DistanceMaps(Device& device, const SceneData& data, std::vector<std::uint32_t> instances,
-                           const std::vector<interop::ReflectorInfo>& infos, std::uint32_t size)
+                           const std::vector<interop::ReflectorInfo>& infos, std::uint32_t size,
+                           Tolerance::Of tolerance)
     : device_(&device),
       instances_(std::move(instances)),
       probes_(infos),
       size_(size),
+      tolerance_(tolerance),
       infos_(place_maps(device, data, instances_, infos, size)),
       info_buffer_(make_buffer<interop::DistanceMapInfo>(device, infos_, "distance maps")),
       samples_(device, buffer_bytes<interop::DistanceSample>(infos.size(), samples_per_face(size)),
@@ -113,6 +97,7 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
     Specialization specialization = scene.specialization();
     specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
     specialization[interop::SPEC_DISTANCE_SIZE] = size_;
+    specialization[interop::SPEC_TELLS_RADIANCE] = tolerance_ == Tolerance::Of::radiance ? 1 : 0;
     Bindings bindings = scene.bindings();
     bindings.merge(this->bindings());
     const Kernel measure(*device_, "measure_distances", kernels::measure_distances, specialization,
@@ -162,7 +147,7 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
         counts.gpu_seconds += device_->run("bound distances", [&](const vk::raii::CommandBuffer& commands) {
             bound.dispatch(commands, bound_set, interop::BoundDistancesPush{push.first_sample, first, size_},
                            groups(size_ * size_));
-            for (std::uint32_t level = 1; level < levels(size_); ++level) {
+            for (std::uint32_t level = 1; level < bound_levels(size_); ++level) {
                 const std::uint32_t size = size_ >> level;
                 const interop::BoundDistancesPush next{first + first_of_level(size_, level - 1),
                                                        first + first_of_level(size_, level), size};

@@ -3,6 +3,7 @@
 
 #include "renderers/common/gpu_scene.h"
 #include "renderers/common/renderer.h"
+#include "renderers/reflection_map/tolerance.h"
 
 #include "base/progress.h"
 
@@ -19,10 +20,13 @@ namespace utsuri {
 class DistanceMaps {
   public:
     /// @param size texels along an edge of a face, a power of two
+    /// @param tolerance whose errors the distances are to tell: of radiance, only what looks the same from
+    /// everywhere tells any
     /// @throws UsageError if they cannot fit into one buffer of the device
     /// @param instances that each of the probes belongs to
     DistanceMaps(Device& device, const SceneData& data, std::vector<std::uint32_t> instances,
-                 const std::vector<interop::ReflectorInfo>& infos, std::uint32_t size);
+                 const std::vector<interop::ReflectorInfo>& infos, std::uint32_t size,
+                 Tolerance::Of tolerance = Tolerance::Of::place);
 
     /// Traces the distances and bounds them.
     /// @param seconds_to_compile is increased by the time of the pipelines
@@ -48,6 +52,7 @@ class DistanceMaps {
     std::vector<std::uint32_t> instances_;
     std::vector<interop::ReflectorInfo> probes_;
     std::uint32_t size_;
+    Tolerance::Of tolerance_;
     std::vector<interop::DistanceMapInfo> infos_;
     Buffer info_buffer_;
     Buffer samples_;

@@ -26,7 +26,7 @@ struct DrawSettings {
     interop::CameraInfo camera;  ///< make_camera_info()
     std::uint32_t seed = 0;
     std::uint32_t specular_depth = 8;
-    float tolerance = 0.0f;  ///< see MapSettings
+    float tolerance = 0.0f;  ///< Tolerance::most
 };
 
 /// Draws one view of a scene with the raster pipeline and adds the pictures to a film: see DrawnSamples.

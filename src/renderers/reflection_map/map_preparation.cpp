@@ -20,8 +20,9 @@ Specialization with_proxies(Specialization specialization, const ReflectionMaps&
 }
 
 void prepare_light_and_maps(const GpuScene& scene, FilledLight& filled, LightCache& light,
-                            ReflectionMaps& maps, RoughMaps& rough_maps, DistanceMaps* distances,
-                            const Camera& eye, const RenderSettings& settings, RenderStatistics& statistics,
+                            ReflectionMaps& maps, RoughMaps& rough_maps,
+                            const KnownSurroundings& surroundings, const Camera& eye,
+                            const RenderSettings& settings, RenderStatistics& statistics,
                             Progress& progress) {
     light.fill(scene, settings.seed, filled, progress);
     statistics.prepare_seconds += filled.seconds;
@@ -34,8 +35,13 @@ void prepare_light_and_maps(const GpuScene& scene, FilledLight& filled, LightCac
                maps.capture(scene, light, eye, settings, capture_compile_seconds, progress));
     accumulate(statistics.prepare_counts,
                rough_maps.capture(scene, light, settings, capture_compile_seconds, progress));
-    if (distances) {
-        accumulate(statistics.prepare_counts, distances->capture(scene, capture_compile_seconds, progress));
+    if (surroundings.distances) {
+        accumulate(statistics.prepare_counts,
+                   surroundings.distances->capture(scene, capture_compile_seconds, progress));
+    }
+    if (surroundings.radiance) {
+        accumulate(statistics.prepare_counts,
+                   surroundings.radiance->capture(scene, light, capture_compile_seconds, progress));
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     statistics.prepare_seconds += seconds - capture_compile_seconds;

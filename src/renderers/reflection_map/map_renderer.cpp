@@ -14,11 +14,24 @@
 namespace utsuri {
 namespace {
 
+/// Whether it is told how bright reflections can be.
+bool bounds_radiance(MapKind kind, const MapSettings& settings) {
+    return kind == MapKind::hybrid && settings.tolerance.of == Tolerance::Of::radiance;
+}
+
 std::optional<DistanceMaps> make_distances(Device& device, const SceneData& data, const ReflectionMaps& maps,
                                            MapKind kind, const MapSettings& settings) {
     if (maps.infos().empty() || (!keeps_distances(kind) && !settings.predicts_errors)) return std::nullopt;
-    return std::make_optional<DistanceMaps>(device, data, maps.instances(), maps.infos(),
-                                            DistanceMaps::size_for(settings.size));
+    return std::make_optional<DistanceMaps>(
+        device, data, maps.instances(), maps.infos(), DistanceMaps::size_for(settings.size),
+        bounds_radiance(kind, settings) ? Tolerance::Of::radiance : Tolerance::Of::place);
+}
+
+std::optional<RadianceBounds> make_radiance_bounds(Device& device, const ReflectionMaps& maps, MapKind kind,
+                                                   const MapSettings& settings) {
+    if (maps.infos().empty() || !bounds_radiance(kind, settings)) return std::nullopt;
+    return std::make_optional<RadianceBounds>(device, maps.instances(), maps.infos(),
+                                              DistanceMaps::size_for(settings.size));
 }
 
 template <typename Errors>
@@ -46,13 +59,15 @@ MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& 
       kind_(kind),
       maps_(device, data, kind, map_settings),
       distances_(make_distances(device, data, maps_, kind, map_settings)),
+      radiance_bounds_(make_radiance_bounds(device, maps_, kind, map_settings)),
       rough_maps_(device, data, rough_map_settings(kind, map_settings)),
       light_cache_(device, data, light.settings),
       reflectors_(maps_.reflectors().triangles.empty()
                       ? nullptr
                       : std::make_unique<ReflectorDrawer>(device, data, maps_.reflectors(), kind,
                                                           maps_.faces(), map_settings.most_cut_pieces,
-                                                          drawing_specialization(), drawing_bindings())),
+                                                          map_settings.tolerance.of, drawing_specialization(),
+                                                          drawing_bindings())),
       drawer_(device, data, drawing_specialization(), drawing_bindings(), reflectors_.get(), settings.width,
               settings.height) {}
 
@@ -62,6 +77,7 @@ Bindings MapRenderer::drawing_bindings() const {
     bindings.merge(maps_.bindings());
     bindings.merge(rough_maps_.bindings());
     if (distances_) bindings.merge(distances_->bindings());
+    if (radiance_bounds_) bindings.merge(radiance_bounds_->bindings());
     return bindings;
 }
 
@@ -83,8 +99,10 @@ void MapRenderer::prepare(Progress& progress) {
     reflect();
     statistics_.compile_seconds += seconds_since(start);
 
-    prepare_light_and_maps(scene_, filled_light_, light_cache_, maps_, rough_maps_,
-                           distances_ ? &*distances_ : nullptr, camera_, settings_, statistics_, progress);
+    prepare_light_and_maps(
+        scene_, filled_light_, light_cache_, maps_, rough_maps_,
+        {distances_ ? &*distances_ : nullptr, radiance_bounds_ ? &*radiance_bounds_ : nullptr}, camera_,
+        settings_, statistics_, progress);
 }
 
 void MapRenderer::look_from(const Camera& camera) {
@@ -105,7 +123,7 @@ double MapRenderer::reflect() {
 
 DrawSettings MapRenderer::draw_settings() const {
     return {camera_info(), settings_.seed, std::min(settings_.specular_depth, scene_.specular_depth()),
-            map_settings_.tolerance};
+            static_cast<float>(map_settings_.tolerance.most)};
 }
 
 bool MapRenderer::draw_frame() {
@@ -129,7 +147,9 @@ PredictionDrawer MapRenderer::make_prediction_drawer() {
 }
 
 float MapRenderer::searching_tolerance() const {
-    return kind_ == MapKind::hybrid ? map_settings_.tolerance : 0.0f;
+    const Tolerance& tolerance = map_settings_.tolerance;
+    const bool judges_outline = kind_ == MapKind::hybrid && tolerance.of == Tolerance::Of::place;
+    return judges_outline ? static_cast<float>(tolerance.most) : 0.0f;
 }
 
 std::vector<PredictedError> MapRenderer::predict_errors() {

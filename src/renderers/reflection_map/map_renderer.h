@@ -5,6 +5,7 @@
 #include "renderers/reflection_map/distance_maps.h"
 #include "renderers/reflection_map/frame_drawer.h"
 #include "renderers/reflection_map/prediction_drawer.h"
+#include "renderers/reflection_map/radiance_bounds.h"
 #include "renderers/reflection_map/reflection_maps.h"
 #include "renderers/reflection_map/rough_maps.h"
 
@@ -69,6 +70,7 @@ class MapRenderer : public Renderer {
     MapKind kind_;
     ReflectionMaps maps_;
     std::optional<DistanceMaps> distances_;
+    std::optional<RadianceBounds> radiance_bounds_;
     RoughMaps rough_maps_;
     LightCache light_cache_;
     std::unique_ptr<ReflectorDrawer> reflectors_;

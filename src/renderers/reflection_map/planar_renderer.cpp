@@ -58,8 +58,8 @@ void PlanarRenderer::prepare(Progress& progress) {
     drawer_.warm_up();
     statistics_.compile_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    prepare_light_and_maps(scene_, filled_light_, light_cache_, maps_, rough_maps_, nullptr, camera_,
-                           settings_, statistics_, progress);
+    prepare_light_and_maps(scene_, filled_light_, light_cache_, maps_, rough_maps_, {}, camera_, settings_,
+                           statistics_, progress);
 }
 
 void PlanarRenderer::look_from(const Camera& camera) {

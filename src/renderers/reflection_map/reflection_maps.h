@@ -10,6 +10,7 @@
 #include "renderers/reflection_map/proxy.h"
 #include "renderers/reflection_map/reflector_drawer.h"
 #include "renderers/reflection_map/reflectors.h"
+#include "renderers/reflection_map/tolerance.h"
 
 #include "base/progress.h"
 
@@ -32,8 +33,7 @@ struct MapSettings {
     /// Pieces of polygons cut along its faces that there is room for; polygons whose pieces find none are
     /// drawn whole, their faces found per pixel. Follows from the number of polygons if not set.
     std::optional<std::uint32_t> most_cut_pieces = std::nullopt;
-    /// Of MapKind::hybrid: predicted displacement up to which maps are looked up, in pixels, >= 0.
-    float tolerance = 1.0f;
+    Tolerance tolerance = {};      ///< of MapKind::hybrid
     bool predicts_errors = false;  ///< keep what MapRenderer::predict_errors() needs, whatever the method
 };
 

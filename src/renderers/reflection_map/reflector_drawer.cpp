@@ -10,6 +10,7 @@
 #include "kernels/draw_cut_pieces_vert.h"
 #include "kernels/draw_distance_reflector_frag.h"
 #include "kernels/draw_hybrid_reflector_frag.h"
+#include "kernels/draw_radiance_hybrid_reflector_frag.h"
 #include "kernels/draw_reflector_frag.h"
 #include "kernels/draw_reflectors_vert.h"
 #include "kernels/draw_whole_pieces_vert.h"
@@ -48,9 +49,13 @@ SurfaceFeatures features_of(const SceneData& data, const Reflectors& reflectors)
     return all;
 }
 
-std::span<const std::uint32_t> whole_fragment(MapKind kind) {
+std::span<const std::uint32_t> whole_fragment(MapKind kind, Tolerance::Of tolerance) {
     if (kind == MapKind::distance) return kernels::draw_distance_reflector_frag;
-    if (kind == MapKind::hybrid) return kernels::draw_hybrid_reflector_frag;
+    if (kind == MapKind::hybrid) {
+        return tolerance == Tolerance::Of::radiance
+                   ? std::span<const std::uint32_t>(kernels::draw_radiance_hybrid_reflector_frag)
+                   : std::span<const std::uint32_t>(kernels::draw_hybrid_reflector_frag);
+    }
     return kernels::draw_reflector_frag;
 }
 
@@ -99,7 +104,7 @@ std::uint32_t whole_map_kind(MapKind kind) {
 
 ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Reflectors& reflectors,
                                  MapKind kind, const std::vector<interop::MapFace>& faces,
-                                 std::optional<std::uint32_t> most_cut_pieces,
+                                 std::optional<std::uint32_t> most_cut_pieces, Tolerance::Of tolerance,
                                  const Specialization& specialization, const Bindings& bindings)
     : device_(device),
       features_(features_of(data, reflectors)),
@@ -126,7 +131,7 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
       vertex_kernel_(device, "reflect_vertices", kernels::reflect_vertices, {},
                      sizeof(interop::ReflectVerticesPush)),
       vertex_set_(vertex_kernel_.bind(with_polygons({}))),
-      whole_(device, "draw_reflectors", whole_vertex(kind), whole_fragment(kind),
+      whole_(device, "draw_reflectors", whole_vertex(kind), whole_fragment(kind, tolerance),
              specialise(specialization, kind, faces.size()), sizeof(interop::RasterPush),
              {DepthTest::nearer, kind == MapKind::polygon ? kBehindPieces : 0.0f}),
       whole_set_(whole_.bind(with_polygons(bindings))) {

@@ -3,6 +3,7 @@
 
 #include "renderers/reflection_map/map_kind.h"
 #include "renderers/reflection_map/reflectors.h"
+#include "renderers/reflection_map/tolerance.h"
 
 #include "gpu/kernel.h"
 #include "gpu/raster_pipeline.h"
@@ -26,9 +27,10 @@ class ReflectorDrawer {
     /// @param specialization of the fragment stage
     /// @param bindings of scene, light cache and maps
     /// @param most_cut_pieces see MapSettings, > 0
+    /// @param tolerance of MapKind::hybrid
     ReflectorDrawer(Device& device, const SceneData& data, const Reflectors& reflectors, MapKind kind,
                     const std::vector<interop::MapFace>& faces, std::optional<std::uint32_t> most_cut_pieces,
-                    const Specialization& specialization, const Bindings& bindings);
+                    Tolerance::Of tolerance, const Specialization& specialization, const Bindings& bindings);
 
     /// The pass over vertices and polygons: what a new eye costs.
     /// @returns seconds on the device

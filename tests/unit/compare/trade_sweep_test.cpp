@@ -78,6 +78,32 @@ TEST(Sweep, SeveralProbesAreTriedUnlessTheirNumberIsGiven) {
         EXPECT_EQ(setting.maps.most_probes, 2u);
 }
 
+std::vector<double> tolerances_tried(const Tolerance& given) {
+    MapSettings maps;
+    maps.size = 1;
+    maps.most_probes = 2;
+    maps.tolerance = given;
+    std::vector<double> tried;
+    for (const TradeSetting& setting : settings_of(ReflectionMethod::hybrid, maps)) {
+        EXPECT_EQ(setting.maps.tolerance.of, given.of);
+        tried.push_back(setting.maps.tolerance.most);
+    }
+    return tried;
+}
+
+TEST(Sweep, HybridIsTriedAtTolerancesAroundTheOneAskedFor) {
+    EXPECT_THAT(tolerances_tried({}), ElementsAre(1.0, 0.5, 2.0, 4.0));
+    EXPECT_THAT(tolerances_tried({Tolerance::Of::place, 0.0}), ElementsAre(0.0));
+    EXPECT_THAT(tolerances_tried({Tolerance::Of::radiance, 0.3}), ElementsAre(0.3, 0.15, 0.6, 1.0));
+    EXPECT_THAT(tolerances_tried({Tolerance::Of::radiance, 1.0}), ElementsAre(1.0, 0.5));
+    EXPECT_THAT(settings_of(ReflectionMethod::hybrid, {}).back().options,
+                ElementsAre("--reflection", "hybrid", "--map-size", "256", "--tolerance", "4"));
+    MapSettings given;
+    given.tolerance = {Tolerance::Of::radiance, 0.07};
+    EXPECT_THAT(settings_of(ReflectionMethod::hybrid, given)[0].options,
+                ElementsAre("--reflection", "hybrid", "--map-size", "64", "--tolerance", "7%"));
+}
+
 TEST(Sweep, EveryMethodIsTriedAndNoSettingTwice) {
     const auto settings = swept_settings(all_methods(LightMethod::direct), {});
     std::set<std::vector<std::string>> options;

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection_map/radiance_bounds.h"
+
+#include "renderers/reflection_map/distance_levels.h"
+
+#include "base/error.h"
+#include "gpu/dispatch_budget.h"
+
+#include "interop/bindings.h"
+#include "interop/specialization.h"
+#include "kernels/bound_radiance.h"
+#include "kernels/measure_radiance.h"
+#include "kernels/reduce_radiance.h"
+
+#include <fmt/format.h>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+namespace utsuri {
+namespace {
+
+constexpr std::uint32_t kGroupSize = 64;
+
+std::uint32_t groups(std::uint32_t invocations) {
+    return (invocations + kGroupSize - 1) / kGroupSize;
+}
+
+/// Of the darkest, and of the brightest, of all blocks.
+std::uint64_t bytes_of_bounds(const Device& device, std::size_t probes, std::uint32_t size) {
+    const std::uint64_t bytes =
+        std::uint64_t{probes} * interop::DISTANCE_FACES * bounds_per_face(size) * sizeof(glm::vec3);
+    const std::uint64_t limit = device.summary().storage_range_bytes;
+    if (bytes > limit) {
+        throw UsageError(
+            "bound radiance", fmt::format("at {} texels from {} capture points", size, probes),
+            fmt::format("that needs {} MiB and {} can see {} MiB of a buffer; use a smaller --map-size, or a "
+                        "--tolerance in pixels",
+                        bytes >> 20, device.summary().name, limit >> 20));
+    }
+    return std::max<std::uint64_t>(bytes, sizeof(glm::vec3));
+}
+
+/// @returns seconds on the device
+double measure_face(Device& device, const Kernel& kernel, const BindingSet& set,
+                    interop::MeasureRadiancePush push, std::uint32_t samples, DispatchBudget& budget) {
+    double sum = 0.0;
+    for (push.begin = 0; push.begin < samples; push.begin = push.end) {
+        const std::uint64_t fitting = std::clamp<std::uint64_t>(budget.next_units(), kGroupSize,
+                                                                std::uint64_t{kMaxGroups} * kGroupSize);
+        push.end = static_cast<std::uint32_t>(std::min<std::uint64_t>(samples, push.begin + fitting));
+        const double seconds = device.run("measure radiance", [&](const vk::raii::CommandBuffer& commands) {
+            kernel.dispatch(commands, set, push, groups(push.end - push.begin));
+        });
+        budget.record(push.end - push.begin, seconds);
+        sum += seconds;
+    }
+    return sum;
+}
+
+}  // namespace
+
+RadianceBounds::RadianceBounds(Device& device, std::vector<std::uint32_t> instances,
+                               const std::vector<interop::ReflectorInfo>& infos, std::uint32_t size)
+    : device_(&device),
+      instances_(std::move(instances)),
+      probes_(infos),
+      size_(size),
+      samples_(device, samples_per_face(size) * sizeof(interop::RadianceSample), "radiance of a face"),
+      darkest_(device, bytes_of_bounds(device, infos.size(), size), "darkest of blocks"),
+      brightest_(device, bytes_of_bounds(device, infos.size(), size), "brightest of blocks") {}
+
+FrameCounts RadianceBounds::capture(const GpuScene& scene, const LightCache& light,
+                                    double& seconds_to_compile, Progress& progress) {
+    FrameCounts counts;
+    if (probes_.empty()) return counts;
+    const auto start = std::chrono::steady_clock::now();
+    Specialization specialization = scene.specialization();
+    specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
+    specialization[interop::SPEC_DISTANCE_SIZE] = size_;
+    Bindings bindings = scene.bindings();
+    bindings.merge(light.bindings());
+    bindings.merge(this->bindings());
+    bindings[interop::BINDING_RADIANCE_SAMPLES] = &samples_;
+    const Kernel measure(*device_, "measure_radiance", kernels::measure_radiance, specialization,
+                         sizeof(interop::MeasureRadiancePush));
+    const Kernel bound(*device_, "bound_radiance", kernels::bound_radiance, specialization,
+                       sizeof(interop::BoundDistancesPush));
+    const Kernel reduce(*device_, "reduce_radiance", kernels::reduce_radiance, {},
+                        sizeof(interop::BoundDistancesPush));
+    const BindingSet measure_set = measure.bind(bindings);
+    const BindingSet bound_set = bound.bind(bindings);
+    const BindingSet reduce_set = reduce.bind(bindings);
+    device_->run("compile kernels", [&](const vk::raii::CommandBuffer& commands) {
+        measure.dispatch(commands, measure_set, interop::MeasureRadiancePush{}, 1);
+        bound.dispatch(commands, bound_set, interop::BoundDistancesPush{}, 1);
+        reduce.dispatch(commands, reduce_set, interop::BoundDistancesPush{}, 1);
+    });
+    seconds_to_compile += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    DispatchBudget budget;
+    const std::uint32_t per_face = samples_per_face(size_);
+    const auto faces = static_cast<std::uint32_t>(probes_.size()) * interop::DISTANCE_FACES;
+    for (std::uint32_t i = 0; i < faces; ++i) {
+        if (progress.cancelled()) throw Interrupted();
+        const std::uint32_t probe = i / interop::DISTANCE_FACES;
+        interop::MeasureRadiancePush push{};
+        push.capture_point = probes_[probe].capture_point;
+        push.excluded_instance = instances_[probe];
+        push.face = i % interop::DISTANCE_FACES;
+        counts.gpu_seconds += measure_face(*device_, measure, measure_set, push, per_face, budget);
+        counts.rays += std::uint64_t{2} * per_face;
+        const std::uint32_t first = i * bounds_per_face(size_);
+        counts.gpu_seconds += device_->run("bound radiance", [&](const vk::raii::CommandBuffer& commands) {
+            bound.dispatch(commands, bound_set, interop::BoundDistancesPush{0, first, size_},
+                           groups(size_ * size_));
+            for (std::uint32_t level = 1; level < bound_levels(size_); ++level) {
+                const std::uint32_t size = size_ >> level;
+                const interop::BoundDistancesPush next{first + first_of_level(size_, level - 1),
+                                                       first + first_of_level(size_, level), size};
+                reduce.dispatch(commands, reduce_set, next, groups(size * size));
+            }
+        });
+        progress.update(i + 1, faces);
+    }
+    return counts;
+}
+
+Bindings RadianceBounds::bindings() const {
+    return {{interop::BINDING_DARKEST, &darkest_}, {interop::BINDING_BRIGHTEST, &brightest_}};
+}
+
+}  // namespace utsuri
