@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/distance_maps.h"
 
-#include "renderers/reflection_map/distance_levels.h"
+#include "renderers/reflection_map/block_bounds.h"
 #include "renderers/reflection_map/reflector_shape.h"
 
 #include "base/error.h"
-#include "gpu/dispatch_budget.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
@@ -21,8 +20,6 @@
 
 namespace utsuri {
 namespace {
-
-constexpr std::uint32_t kGroupSize = 64;
 
 std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const SceneData& data,
                                                  const std::vector<std::uint32_t>& instances,
@@ -58,10 +55,6 @@ template <typename Record>
 std::uint64_t buffer_bytes(std::size_t probes, std::uint32_t records_per_face) {
     return std::max<std::uint64_t>(1, std::uint64_t{probes} * interop::DISTANCE_FACES * records_per_face) *
            sizeof(Record);
-}
-
-std::uint32_t groups(std::uint32_t invocations) {
-    return (invocations + kGroupSize - 1) / kGroupSize;
 }
 
 }  // namespace
@@ -116,6 +109,7 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
     });
     seconds_to_compile += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
+    const BlockBounds bounds{bound, bound_set, reduce, reduce_set};
     DispatchBudget budget;
     const std::uint32_t per_face = samples_per_face(size_);
     const auto faces = static_cast<std::uint32_t>(infos_.size()) * interop::DISTANCE_FACES;
@@ -131,29 +125,11 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
         push.excluded_instance = instances_[probe];
         push.first_sample = map.first_sample + face * per_face;
         push.face = face;
-        for (push.begin = 0; push.begin < per_face; push.begin = push.end) {
-            const std::uint64_t fitting = std::clamp<std::uint64_t>(budget.next_units(), kGroupSize,
-                                                                    std::uint64_t{kMaxGroups} * kGroupSize);
-            push.end = static_cast<std::uint32_t>(std::min<std::uint64_t>(per_face, push.begin + fitting));
-            const double seconds =
-                device_->run("measure distances", [&](const vk::raii::CommandBuffer& commands) {
-                    measure.dispatch(commands, measure_set, push, groups(push.end - push.begin));
-                });
-            budget.record(push.end - push.begin, seconds);
-            counts.gpu_seconds += seconds;
-        }
+        counts.gpu_seconds +=
+            measure_samples(*device_, "measure distances", measure, measure_set, push, per_face, budget);
         counts.rays += std::uint64_t{2} * per_face;
         const std::uint32_t first = map.first_bounds + face * bounds_per_face(size_);
-        counts.gpu_seconds += device_->run("bound distances", [&](const vk::raii::CommandBuffer& commands) {
-            bound.dispatch(commands, bound_set, interop::BoundDistancesPush{push.first_sample, first, size_},
-                           groups(size_ * size_));
-            for (std::uint32_t level = 1; level < bound_levels(size_); ++level) {
-                const std::uint32_t size = size_ >> level;
-                const interop::BoundDistancesPush next{first + first_of_level(size_, level - 1),
-                                                       first + first_of_level(size_, level), size};
-                reduce.dispatch(commands, reduce_set, next, groups(size * size));
-            }
-        });
+        counts.gpu_seconds += bounds.run(*device_, "bound distances", push.first_sample, first, size_);
         progress.update(i + 1, faces);
     }
     return counts;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/radiance_bounds.h"
 
-#include "renderers/reflection_map/distance_levels.h"
+#include "renderers/reflection_map/block_bounds.h"
 
 #include "base/error.h"
-#include "gpu/dispatch_budget.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
@@ -21,12 +20,6 @@
 namespace utsuri {
 namespace {
 
-constexpr std::uint32_t kGroupSize = 64;
-
-std::uint32_t groups(std::uint32_t invocations) {
-    return (invocations + kGroupSize - 1) / kGroupSize;
-}
-
 /// Of the darkest, and of the brightest, of all blocks.
 std::uint64_t bytes_of_bounds(const Device& device, std::size_t probes, std::uint32_t size) {
     const std::uint64_t bytes =
@@ -40,23 +33,6 @@ std::uint64_t bytes_of_bounds(const Device& device, std::size_t probes, std::uin
                         bytes >> 20, device.summary().name, limit >> 20));
     }
     return std::max<std::uint64_t>(bytes, sizeof(glm::vec3));
-}
-
-/// @returns seconds on the device
-double measure_face(Device& device, const Kernel& kernel, const BindingSet& set,
-                    interop::MeasureRadiancePush push, std::uint32_t samples, DispatchBudget& budget) {
-    double sum = 0.0;
-    for (push.begin = 0; push.begin < samples; push.begin = push.end) {
-        const std::uint64_t fitting = std::clamp<std::uint64_t>(budget.next_units(), kGroupSize,
-                                                                std::uint64_t{kMaxGroups} * kGroupSize);
-        push.end = static_cast<std::uint32_t>(std::min<std::uint64_t>(samples, push.begin + fitting));
-        const double seconds = device.run("measure radiance", [&](const vk::raii::CommandBuffer& commands) {
-            kernel.dispatch(commands, set, push, groups(push.end - push.begin));
-        });
-        budget.record(push.end - push.begin, seconds);
-        sum += seconds;
-    }
-    return sum;
 }
 
 }  // namespace
@@ -99,6 +75,7 @@ FrameCounts RadianceBounds::capture(const GpuScene& scene, const LightCache& lig
     });
     seconds_to_compile += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
+    const BlockBounds bounds{bound, bound_set, reduce, reduce_set};
     DispatchBudget budget;
     const std::uint32_t per_face = samples_per_face(size_);
     const auto faces = static_cast<std::uint32_t>(probes_.size()) * interop::DISTANCE_FACES;
@@ -109,19 +86,11 @@ FrameCounts RadianceBounds::capture(const GpuScene& scene, const LightCache& lig
         push.capture_point = probes_[probe].capture_point;
         push.excluded_instance = instances_[probe];
         push.face = i % interop::DISTANCE_FACES;
-        counts.gpu_seconds += measure_face(*device_, measure, measure_set, push, per_face, budget);
+        counts.gpu_seconds +=
+            measure_samples(*device_, "measure radiance", measure, measure_set, push, per_face, budget);
         counts.rays += std::uint64_t{2} * per_face;
         const std::uint32_t first = i * bounds_per_face(size_);
-        counts.gpu_seconds += device_->run("bound radiance", [&](const vk::raii::CommandBuffer& commands) {
-            bound.dispatch(commands, bound_set, interop::BoundDistancesPush{0, first, size_},
-                           groups(size_ * size_));
-            for (std::uint32_t level = 1; level < bound_levels(size_); ++level) {
-                const std::uint32_t size = size_ >> level;
-                const interop::BoundDistancesPush next{first + first_of_level(size_, level - 1),
-                                                       first + first_of_level(size_, level), size};
-                reduce.dispatch(commands, reduce_set, next, groups(size * size));
-            }
-        });
+        counts.gpu_seconds += bounds.run(*device_, "bound radiance", 0, first, size_);
         progress.update(i + 1, faces);
     }
     return counts;
