@@ -145,8 +145,9 @@ class Choice(Trade):
         done = self.trade("--methods", "trace,polygon-map", *too_fine)
         values = self.load("result.json")
         self.assertEqual({run["name"] for run in values["runs"]}, {"direct/trace"})
-        sizes = [failure["options"][-1] for failure in values["failed"]]
-        self.assertEqual(sizes, ["2", "4", "8"])
+        swept = [failure["options"][2:] for failure in values["failed"]]
+        self.assertEqual(swept, [["--map-size", "2"], ["--map-size", "4"], ["--map-size", "8"],
+                                 ["--map-size", "8", "--probes", "4"]])
         for failure in values["failed"]:
             self.assertIn("use a larger --polygon-edge", failure["message"])
             self.assertIn(f"{' '.join(failure['options'])} is missing: {failure['message']}", done.stdout)
