@@ -40,9 +40,15 @@ struct MapFace {
     float half_diagonal;  ///< of the picture, where the face is
 };
 
-struct ReflectorInfo {
+/// What is known of a map.
+INTEROP_CONSTANT MAP_EMPTY = 0u;
+INTEROP_CONSTANT MAP_WANTED = 1u;  ///< a pixel looked it up, and it is not there yet
+INTEROP_CONSTANT MAP_CAPTURED = 2u;
+
+struct ProbeInfo {
     vec3 capture_point;
-    uint first_texel;  ///< of this reflector's maps, in texels
+    uint first_texel;  ///< of this probe's maps, in texels
+    uint map_size;     ///< texels along an edge of its maps, border not counted
     ProxyInfo proxy;
     vec3 map_right;  ///< unit axes that a sphere map was captured along
     vec3 map_up;

@@ -14,7 +14,7 @@ INTEROP_CONSTANT SPEC_HAS_GLOSSY = 5u;    ///< some surface has a rough specular
 INTEROP_CONSTANT SPEC_HAS_SPECULAR = 6u;  ///< some surface is a perfect mirror or a smooth dielectric
 INTEROP_CONSTANT SPEC_PROJECTION = 7u;
 INTEROP_CONSTANT SPEC_EXCLUDES_INSTANCE = 8u;  ///< FramePush::excluded_instance is honoured
-INTEROP_CONSTANT SPEC_MAP_SIZE = 9u;           ///< texels along an edge of a map, border not counted
+INTEROP_CONSTANT SPEC_TELLS_RADIANCE = 9u;     ///< distances are negative at rough lobes too
 INTEROP_CONSTANT SPEC_ANY_HIT = 10u;           ///< the ray list kernel asks whether, not where
 INTEROP_CONSTANT SPEC_LIGHT_COUNT = 11u;
 INTEROP_CONSTANT SPEC_MAP_KIND = 12u;     ///< MAP_KIND_ of interop/reflection.h
@@ -24,8 +24,7 @@ INTEROP_CONSTANT SPEC_WRITES = 15u;       ///< the second run of a kernel that f
 INTEROP_CONSTANT SPEC_DISTANCE_SIZE = 16u;  ///< texels along an edge of a face of distances, a power of two
 INTEROP_CONSTANT SPEC_HAS_PROXY_PLANES = 17u;  ///< not all proxies are boxes
 INTEROP_CONSTANT SPEC_MOST_PROBES = 18u;       ///< capture points that a reflector has, at most
-INTEROP_CONSTANT SPEC_TELLS_RADIANCE = 19u;    ///< distances are negative at rough lobes too
-INTEROP_CONSTANT SPEC_COUNT = 20u;
+INTEROP_CONSTANT SPEC_COUNT = 19u;
 
 INTEROP_END
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adds a drawn picture to a film as one sample of each pixel.
+// Adds a drawn picture to a film as one sample of each pixel, unless it lacks a map: then it is drawn again.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -16,10 +16,11 @@ layout(push_constant, scalar) uniform Push { AddDrawnPush push; };
 layout(scalar, binding = BINDING_FILM) restrict buffer Film { FilmPixel film[]; };
 layout(scalar, binding = BINDING_DRAWN) readonly restrict buffer Drawn { vec4 drawn[]; };
 layout(scalar, binding = BINDING_COUNTERS) restrict buffer CounterBuffer { Counters counters; };
+layout(scalar, binding = BINDING_MAP_STATES) readonly restrict buffer MapStates { uint wanted_maps; };
 
 void main() {
     uint pixel = gl_GlobalInvocationID.x;
-    if (pixel >= push.pixels) return;
+    if (pixel >= push.pixels || wanted_maps > 0u) return;
     vec3 radiance = drawn[pixel].rgb;
     float rays = drawn[pixel].a - DRAWN_LOOKED_UP;
     if (rays >= 0.0) atomicAdd(counters.lookups, 1u);

@@ -14,8 +14,7 @@
 bool look_up(Surface surface, vec3 wo, out vec3 radiance) {
     DrawnReflection reflection;
     if (!find_within_tolerance(surface, wo, reflection)) return false;
-    radiance = polygon_map(reflectors[reflection.probe].first_texel,
-                           seen_along(reflection.ray, reflection.interval.guess));
+    radiance = polygon_map(reflection.probe, seen_along(reflection.ray, reflection.interval.guess));
     return true;
 }
 

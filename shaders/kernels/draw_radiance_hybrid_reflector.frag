@@ -18,7 +18,7 @@ bool look_up(Surface surface, vec3 wo, out vec3 radiance) {
     SearchRay ray = reflection.ray;
     HitInterval interval = reflection.interval;
     if (!is_told(interval)) return false;
-    radiance = polygon_map(reflectors[reflection.probe].first_texel, seen_along(ray, interval.guess));
+    radiance = polygon_map(reflection.probe, seen_along(ray, interval.guess));
     RadianceBounds truth =
         bounds_along(distance_maps[reflection.probe].first_bounds, seen_along(ray, interval.t0), seen_along(ray, interval.t1));
     return relative_error(radiance, truth) <= push.tolerance;

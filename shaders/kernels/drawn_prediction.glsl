@@ -35,7 +35,7 @@ DrawnReflection with_hit(ProbeHit found, Surface surface, vec3 wo) {
 DrawnReflection outlined_reflection(Surface surface, vec3 wo) {
     vec3 wi = mirror_direction(surface, wo);
     uint probe = drawn_probe(surface, wi);
-    SearchRay ray = make_search_ray(surface.position - reflectors[probe].capture_point, wi);
+    SearchRay ray = make_search_ray(surface.position - probes[probe].capture_point, wi);
     return DrawnReflection(probe, ray, outline_hit(distance_maps[probe], ray, leaves_front(surface)),
                            drawn_footprint(surface, wo));
 }
@@ -50,7 +50,7 @@ DrawnReflection drawn_reflection_of(Surface surface, vec3 wo) {
 bool is_within_tolerance(DrawnReflection reflection) {
     vec3 direction = seen_along(reflection.ray, reflection.interval.guess);
     Prediction prediction = predict(reflection.ray, reflection.interval, reflection.footprint, direction, direction,
-                                    texel_angle(direction));
+                                    texel_angle(reflection.probe, direction));
     return prediction.pixels <= push.tolerance;
 }
 
@@ -87,10 +87,10 @@ DrawnReflection looked_up_reflection_of(Surface surface, vec3 wo) {
 
 vec3 wanted_direction_of(Surface surface, DrawnReflection reflection) {
     if (MAP_KIND == MAP_KIND_DISTANCE) return seen_along(reflection.ray, reflection.interval.guess);
-    return wanted_direction(surface, reflectors[reflection.probe], reflection.ray.direction);
+    return wanted_direction(surface, reflection.probe, reflection.ray.direction);
 }
 
 vec3 looked_up_direction_of(Surface surface, DrawnReflection reflection, vec3 wanted) {
     if (MAP_KIND == MAP_KIND_DISTANCE) return wanted;
-    return looked_up_direction(surface, reflectors[reflection.probe], reflection.ray.direction);
+    return looked_up_direction(surface, reflection.probe, reflection.ray.direction);
 }

@@ -11,8 +11,8 @@
 #include "kernels/drawn_prediction.glsl"
 
 /// @param point where the mirrored ray meets `triangle`
-bool is_seen_from_capture_point(ReflectorInfo reflector, uint instance, vec3 point, uint triangle) {
-    Ray ray = make_ray(reflector.capture_point, point - reflector.capture_point, NONE, instance);
+bool is_seen_from_capture_point(vec3 capture_point, uint instance, vec3 point, uint triangle) {
+    Ray ray = make_ray(capture_point, point - capture_point, NONE, instance);
     ray.t_max = 1.0;
     ray.excluded[1] = triangle;
     return !is_occluded(ray);
@@ -31,7 +31,7 @@ void main() {
     Hit hit = closest_hit(make_ray(leave_surface(surface, ray.direction), ray.direction, surface.triangle, NONE));
     float t = hit.triangle == NONE ? INFINITY : hit.t;
     float angle = angle_between(looked_up, seen_along(ray, t));
-    bool seen = hit.triangle == NONE || is_seen_from_capture_point(reflectors[reflection.probe], surface.instance,
+    bool seen = hit.triangle == NONE || is_seen_from_capture_point(probes[reflection.probe].capture_point, surface.instance,
                                                                    surface.position + t * ray.direction, hit.triangle);
     drawn = vec4(angle, displacement(ray, reflection.footprint, t, angle), t, seen ? 1.0 : 0.0);
 }

@@ -21,6 +21,6 @@ void main() {
     vec3 wanted = wanted_direction_of(surface, reflection);
     vec3 looked_up = looked_up_direction_of(surface, reflection, wanted);
     Prediction prediction = predict(reflection.ray, reflection.interval, reflection.footprint, wanted, looked_up,
-                                    texel_angle(looked_up));
+                                    texel_angle(reflection.probe, looked_up));
     drawn = vec4(prediction.parallax, prediction.interpolation, prediction.texel, prediction.pixels);
 }

@@ -4,7 +4,7 @@
 
 layout(constant_id = SPEC_MOST_PROBES) const uint MOST_PROBES = 1u;
 
-layout(scalar, binding = BINDING_REFLECTORS) readonly restrict buffer Reflectors { ReflectorInfo reflectors[]; };
+layout(scalar, binding = BINDING_PROBES) readonly restrict buffer Probes { ProbeInfo probes[]; };
 layout(scalar, binding = BINDING_PROBE_RANGES) readonly restrict buffer ProbeRanges { ProbeRange probe_ranges[]; };
 
 /// The probe that a reflected ray passes nearest, the first of equals: its parallax is least, however far the ray goes.
@@ -16,7 +16,7 @@ uint nearest_probe(uint reflector, vec3 position, vec3 direction) {
     uint nearest = range.first;
     float least = INFINITY;
     for (uint i = range.first; i < range.first + range.count; ++i) {
-        vec3 across = cross(position - reflectors[i].capture_point, unit);
+        vec3 across = cross(position - probes[i].capture_point, unit);
         float distance2 = dot(across, across);
         if (distance2 >= least) continue;
         least = distance2;

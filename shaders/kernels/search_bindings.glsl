@@ -31,7 +31,7 @@ struct ProbeHit {
 };
 
 ProbeHit search_probe(uint probe, vec3 position, vec3 direction) {
-    SearchRay ray = make_search_ray(position - reflectors[probe].capture_point, direction);
+    SearchRay ray = make_search_ray(position - probes[probe].capture_point, direction);
     DistanceMapInfo map = distance_maps[probe];
     return ProbeHit(probe, ray, refine_hit(map.first_sample, ray, search_distances(map.first_bounds, ray)));
 }

@@ -170,8 +170,8 @@ void add_info_command(CLI::App& app, Action& action) {
         ->capture_default_str();
     command
         ->add_option("--map-size", options->picture.map_size,
-                     "Texels along an edge of a map, for the memory prediction")
-        ->check(CLI::Range(1u, 4096u))
+                     "Texels along an edge of a map, for the memory prediction; fit: at most")
+        ->type_name("TEXELS|fit")
         ->capture_default_str();
     command
         ->add_option("--polyhedron", options->picture.polyhedron,

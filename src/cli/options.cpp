@@ -86,6 +86,16 @@ glm::dvec3 parse_point(const std::string& text) {
     return point;
 }
 
+MapSize parse_map_size(const std::string& text) {
+    if (text == "fit") return {kMostFittedMapSize, true};
+    const auto texels = parse_number<std::uint32_t>(text);
+    if (!texels || *texels < 1 || *texels > kLargestMap) {
+        throw UsageError("use --map-size", fmt::format("'{}'", text),
+                         fmt::format("expected texels from 1 to {}, such as 256, or fit", kLargestMap));
+    }
+    return {*texels, false};
+}
+
 Tolerance parse_tolerance(const std::string& text) {
     const bool is_share = text.ends_with('%');
     const auto value =
@@ -111,7 +121,9 @@ RenderSettings PictureOptions::render_settings() const {
 
 MapSettings PictureOptions::map_settings() const {
     MapSettings settings;
-    settings.size = map_size;
+    const MapSize size_of_maps = parse_map_size(map_size);
+    settings.size = size_of_maps.texels;
+    settings.fitted = size_of_maps.fitted;
     settings.samples = map_samples;
     if (!capture_point.empty()) settings.capture_point = parse_point(capture_point);
     settings.most_probes = most_probes;
@@ -151,8 +163,13 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     command.add_option("--depth", options.depth, "Most reflections by mirrors and rough lobes followed")
         ->check(CLI::Range(0u, 1000000u))
         ->capture_default_str();
-    command.add_option("--map-size", options.map_size, "Texels along an edge of a reflection map")
-        ->check(CLI::Range(1u, kLargestMap))
+    command
+        .add_option(
+            "--map-size", options.map_size,
+            fmt::format("Texels along an edge of a reflection map, up to {}, or fit: for each object as "
+                        "many as the pixels that show it need, up to {}",
+                        kLargestMap, kMostFittedMapSize))
+        ->type_name("TEXELS|fit")
         ->capture_default_str();
     command.add_option("--map-spp", options.map_samples, "Samples per texel of a reflection map")
         ->check(CLI::Range(1u, 65536u))

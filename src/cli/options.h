@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/common/light_cache.h"
 #include "renderers/common/renderer.h"
 #include "renderers/reflection_map/reflection_maps.h"
 
@@ -30,7 +31,7 @@ struct PictureOptions {
     std::string camera;
     std::uint32_t seed = 0;
     std::uint32_t depth = 8;
-    std::uint32_t map_size = 256;
+    std::string map_size = "256";
     std::uint32_t map_samples = 8;
     std::uint32_t light_samples = LightCacheSettings().samples;
     std::string capture_point;
@@ -57,6 +58,13 @@ CLI::Validator finite_range(double lowest, double highest);
 glm::uvec2 parse_size(const std::string& text);
 /// "33ms", "2s", "1.5min" or a number of seconds; > 0.
 double parse_duration(const std::string& text);
+/// Texels along an edge of a map, such as "256", or "fit".
+struct MapSize {
+    std::uint32_t texels;  ///< exactly, or at most
+    bool fitted;
+};
+/// @throws UsageError that tells the range
+MapSize parse_map_size(const std::string& text);
 /// "1", in pixels, or "5%", of the radiance.
 /// @throws UsageError that tells the ranges
 Tolerance parse_tolerance(const std::string& text);

@@ -111,8 +111,16 @@ nlohmann::ordered_json to_json(const Result& result, const RenderOptions& option
             {"first_frame_seconds", result.first_frame_seconds},
             {"peak_bytes", result.peak_bytes},
             {"rays", counts.rays},
+            {"maps", result.statistics.maps},
+            {"captured_maps", result.statistics.captured_maps},
             {"nonfinite", counts.nonfinite},
             {"truncated", counts.truncated}};
+}
+
+/// "5 of 18 maps, ", or nothing where there are none.
+std::string describe_maps(const RenderStatistics& statistics) {
+    if (statistics.maps == 0) return {};
+    return fmt::format("{} of {} maps, ", statistics.captured_maps, statistics.maps);
 }
 
 /// The options that decide how a picture is made.
@@ -262,12 +270,12 @@ ExitCode render(RenderOptions options, const std::vector<std::string>& given) {
     write_picture(result, options, planes.channels());
     progress.clear();
     print_text(options.common,
-               fmt::format("{}: {} samples, {} (prepare {}, compile {}), {} rays, {}\n", options.output,
+               fmt::format("{}: {} samples, {} (prepare {}, compile {}), {} rays, {}{}\n", options.output,
                            result.samples, format_seconds(result.statistics.frame_seconds),
                            format_seconds(result.statistics.prepare_seconds),
                            format_seconds(result.statistics.compile_seconds),
                            format_count(static_cast<double>(result.statistics.counts.rays)),
-                           format_bytes(result.peak_bytes)));
+                           describe_maps(result.statistics), format_bytes(result.peak_bytes)));
     if (result.statistics.counts.nonfinite > 0) {
         fmt::print(stderr, "warning: {} samples were not finite and were left out\n",
                    result.statistics.counts.nonfinite);
@@ -303,7 +311,8 @@ void add_render_command(CLI::App& app, Action& action) {
         "--within and --error look the choice up in what 'utsuri trade' finds for this scene, camera, size "
         "and "
         "device. That is measured once, which takes minutes, and kept in $XDG_CACHE_HOME/utsuri or "
-        "~/.cache/utsuri. Maps of a quarter, half and all of --map-size are tried, from one capture point "
+        "~/.cache/utsuri. Maps of a quarter and all of --map-size and fitted ones are tried, from one "
+        "capture point "
         "and several.");
     command->callback(
         [=, &action] { action = [=] { return render(*options, given_picture_options(*command)); }; });

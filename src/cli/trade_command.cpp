@@ -137,7 +137,8 @@ void add_trade_command(CLI::App& app, const std::string& command_line, Action& a
     add_picture_options(*command, options->picture);
     add_common_options(*command, options->common);
     command->footer(
-        "Maps of a quarter, half and all of --map-size are tried, one capture point and several unless "
+        "Maps of a quarter and all of --map-size and fitted ones are tried, one capture point and several "
+        "unless "
         "--probes "
         "sets how many, polygons as modelled and finer unless --polygon-edge or --polygon-error sets theirs, "
         "and "

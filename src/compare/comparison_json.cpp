@@ -39,7 +39,7 @@ Json reflection_errors_to_json(const ReflectionErrors& errors) {
 Json settings_to_json(const MethodResult& result) {
     Json json = {{"samples", result.samples}};
     if (result.maps) {
-        json["map_size"] = result.maps->size;
+        json["map_size"] = result.maps->fitted ? Json("fit") : Json(result.maps->size);
         json["map_samples"] = result.maps->samples;
         if (result.method.reflection != ReflectionMethod::sphere_map) {
             json["polyhedron"] = result.maps->polyhedron.name;
@@ -74,6 +74,8 @@ Json result_to_json(const MethodResult& result) {
             {"peak_bytes", result.peak_bytes},
             {"rays", result.rays},
             {"prepare_rays", result.prepare_rays},
+            {"maps", result.map_count},
+            {"captured_maps", result.captured_maps},
             {"traced_fraction", result.traced_fraction},
             {"truncated_fraction", result.truncated_fraction},
             {"nonfinite", result.nonfinite},

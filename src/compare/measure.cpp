@@ -26,6 +26,8 @@ MethodResult collect_result(const Method& method, const MapSettings& maps, const
     result.peak_bytes = device.memory().peak;
     result.rays = statistics.counts.rays;
     result.prepare_rays = statistics.prepare_counts.rays;
+    result.map_count = statistics.maps;
+    result.captured_maps = statistics.captured_maps;
     result.traced_fraction = fraction(statistics.counts.traced, statistics.counts.lookups);
     result.nonfinite = statistics.counts.nonfinite + statistics.prepare_counts.nonfinite;
     result.truncated_fraction = fraction(statistics.counts.truncated, statistics.counts.lookups);

@@ -11,7 +11,7 @@ namespace utsuri {
 namespace {
 
 /// Sizes of maps tried, as shares of the size asked for.
-constexpr std::array kMapScales = {0.25, 0.5, 1.0};
+constexpr std::array kMapScales = {0.25, 1.0};
 /// Interpolation errors of polygons tried, in degrees: a texel of a map of 256 is a third of a degree.
 constexpr std::array kPolygonErrors = {4.0, 1.0};
 /// Capture points of a reflector that are tried beside one.
@@ -19,6 +19,13 @@ constexpr std::uint32_t kSeveralProbes = 4;
 
 /// Tolerances of hybrid tried beside the one asked for, as multiples of it.
 constexpr std::array kToleranceScales = {0.5, 2.0, 4.0};
+
+TradeSetting with_fitted_maps(TradeSetting setting) {
+    setting.maps.fitted = true;
+    setting.maps.size = kMostFittedMapSize;
+    setting.options.insert(setting.options.end(), {"--map-size", "fit"});
+    return setting;
+}
 
 TradeSetting with_map_size(TradeSetting setting, std::uint32_t size) {
     setting.maps.size = size;
@@ -66,6 +73,11 @@ std::vector<double> other_tolerances(const Tolerance& given) {
     return tolerances;
 }
 
+/// With maps of the size given.
+TradeSetting with_given_maps(const TradeSetting& setting, const MapSettings& given) {
+    return given.fitted ? with_fitted_maps(setting) : with_map_size(setting, given.size);
+}
+
 /// Each size once, the smallest first.
 std::vector<std::uint32_t> map_sizes(std::uint32_t given) {
     std::vector<std::uint32_t> sizes;
@@ -83,23 +95,25 @@ std::vector<TradeSetting> settings_of(const Method& method, const MapSettings& g
     std::vector<TradeSetting> settings;
     if (!uses_maps(method)) return {plain};
     const bool is_hybrid = method.reflection == ReflectionMethod::hybrid;
-    for (const std::uint32_t size : map_sizes(given.size)) {
-        const TradeSetting sized = with_map_size(plain, size);
+    const auto add = [&](const TradeSetting& sized) {
         settings.push_back(is_hybrid ? with_tolerance(sized, given.tolerance.most) : sized);
-    }
+    };
+    for (const std::uint32_t size : given.fitted ? std::vector<std::uint32_t>() : map_sizes(given.size))
+        add(with_map_size(plain, size));
+    add(with_fitted_maps(plain));
     if (given.most_probes == 1 && chooses_probes(method.reflection)) {
-        const TradeSetting sized = with_map_size(plain, given.size);
+        const TradeSetting sized = with_given_maps(plain, given);
         settings.push_back(
             with_probes(is_hybrid ? with_tolerance(sized, given.tolerance.most) : sized, kSeveralProbes));
     }
     if (is_hybrid) {
         for (const double most : other_tolerances(given.tolerance))
-            settings.push_back(with_tolerance(with_map_size(plain, given.size), most));
+            settings.push_back(with_tolerance(with_given_maps(plain, given), most));
     }
     const bool as_modelled = !given.refinement.edge && !given.refinement.error;
     if (method.reflection == ReflectionMethod::polygon_map && as_modelled) {
         for (const double degrees : kPolygonErrors)
-            settings.push_back(with_polygon_error(with_map_size(plain, given.size), degrees));
+            settings.push_back(with_polygon_error(with_given_maps(plain, given), degrees));
     }
     return settings;
 }

@@ -9,8 +9,8 @@
 namespace utsuri {
 
 /// The settings that each of the methods is tried with, around those that are given: maps as large as
-/// asked for and smaller, polygons finer than modelled unless their size is given, tolerances half, twice and
-/// four times the one asked for.
+/// asked for, smaller, and fitted to pixels, polygons finer than modelled unless their size is given,
+/// tolerances half, twice and four times the one asked for.
 std::vector<TradeSetting> swept_settings(const std::vector<Method>& methods, const MapSettings& given);
 
 /// The samples per pixel at which a picture is looked at: powers of two, and `most`.

@@ -31,7 +31,9 @@ vk::raii::Device create_device(const vk::raii::PhysicalDevice& physical, std::ui
     // Every Vulkan 1.3 device has it; the kernels' workgroup sizes, which are specialization constants, need
     // it.
     v13.maintenance4 = VK_TRUE;
-    const vk::StructureChain chain(vk::DeviceCreateInfo({}, queue, {}, extensions), v12, v13);
+    vk::PhysicalDeviceFeatures2 features;
+    features.features.fragmentStoresAndAtomics = physical.getFeatures().fragmentStoresAndAtomics;
+    const vk::StructureChain chain(vk::DeviceCreateInfo({}, queue, {}, extensions), features, v12, v13);
     return {physical, chain.get<vk::DeviceCreateInfo>()};
 }
 

@@ -87,7 +87,8 @@ DeviceSummary summarise(const vk::raii::PhysicalDevice& device, std::size_t inde
     }
     const auto families = device.getQueueFamilyProperties();
     const auto family = find_queue_family(families);
-    summary.draws = family && (families[*family].queueFlags & vk::QueueFlagBits::eGraphics);
+    summary.draws = family && (families[*family].queueFlags & vk::QueueFlagBits::eGraphics) &&
+                    device.getFeatures().fragmentStoresAndAtomics;
     summary.missing = missing_features(device, base.apiVersion);
     return summary;
 }

@@ -19,7 +19,7 @@ struct DeviceSummary {
     std::uint64_t memory_bytes = 0;  ///< of the largest device-local heap
     std::uint64_t storage_range_bytes = 0;  ///< largest buffer a kernel can see
     std::uint32_t subgroup_size = 0;
-    bool draws = false;                ///< can rasterise triangles: some compute cards cannot
+    bool draws = false;  ///< can rasterise triangles, and write to buffers then: some compute cards cannot
     std::uint32_t image_size = 0;      ///< longest side of a picture that can be drawn into
     std::vector<std::string> missing;  ///< what the kernels need and this device lacks, by name
 

@@ -35,7 +35,9 @@ Estimate MapObserver::look(glm::dvec3 eye, glm::dvec3 target, std::uint32_t samp
 std::vector<Image> MapObserver::maps(const Camera& camera) {
     RenderSettings settings;
     settings.width = settings.height = interop::TILE_SIZE;
-    MapRenderer renderer(device_, data_, gpu_scene_, light_, camera, kind_, settings, settings_);
+    MapSettings all = settings_;
+    all.captures_all = true;
+    MapRenderer renderer(device_, data_, gpu_scene_, light_, camera, kind_, settings, all);
     Progress progress;
     renderer.prepare(progress);
     std::vector<Image> images;

@@ -52,7 +52,7 @@ class BadOptions(CliCase):
 
     def test_whole_numbers(self):
         most = 2**32 - 1
-        for option, lowest, highest in (("--spp", 1, 2**24), ("--depth", 0, 1000000), ("--map-size", 1, 4096),
+        for option, lowest, highest in (("--spp", 1, 2**24), ("--depth", 0, 1000000),
                                         ("--map-spp", 1, 65536), ("--light-spp", 1, 256), ("--seed", 0, most)):
             values = (str(lowest - 1), str(highest + 1), "many", "1.5", "nan")
             self.refuse_picture_option(option, values, option, f"{lowest} to {highest}")
@@ -60,6 +60,10 @@ class BadOptions(CliCase):
             for name in ("compare", "trade"):
                 self.refuse(("--reference-spp", value, "2 to 16777216"),
                             name, "scene.glb", "--reference-spp", value)
+
+    def test_map_sizes(self):
+        values = ("0", "4097", "-1", "many", "1.5", "nan", "fit ", "Fit", "fit:8")
+        self.refuse_picture_option("--map-size", values, "--map-size", "1 to 4096", "or fit")
         self.refuse(("--map-size", "1 to 4096"), "info", "scene.glb", "--map-size", "4097")
 
     def test_real_numbers(self):
@@ -104,7 +108,7 @@ class BadOptions(CliCase):
                 for value in (f"{below:.0f}", f"{above:.0f}", "nan"):
                     self.refuse((option[1], value, " to ".join(bounds.groups())),
                                 name, *arguments[name], option[1], value)
-        self.assertGreaterEqual(found, {("render", "--spp"), ("render", "--noise"), ("compare", "--map-size"),
+        self.assertGreaterEqual(found, {("render", "--spp"), ("render", "--noise"), ("compare", "--map-spp"),
                                         ("compare", "--fail-above"), ("diff", "--exposure")})
 
     def test_times(self):

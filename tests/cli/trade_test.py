@@ -146,7 +146,7 @@ class Choice(Trade):
         values = self.load("result.json")
         self.assertEqual({run["name"] for run in values["runs"]}, {"direct/trace"})
         swept = [failure["options"][2:] for failure in values["failed"]]
-        self.assertEqual(swept, [["--map-size", "2"], ["--map-size", "4"], ["--map-size", "8"],
+        self.assertEqual(swept, [["--map-size", "2"], ["--map-size", "8"], ["--map-size", "fit"],
                                  ["--map-size", "8", "--probes", "4"]])
         for failure in values["failed"]:
             self.assertIn("use a larger --polygon-edge", failure["message"])

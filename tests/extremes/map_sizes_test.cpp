@@ -49,7 +49,7 @@ class MapSizes : public DeviceTest {
     /// What is wrong with maps of this size, or nothing if the device can hold them.
     static std::optional<std::string> refusal(const SceneData& data, MapKind kind, std::uint32_t size) {
         try {
-            const ReflectionMaps maps(device(), data, kind, settings(size));
+            const ReflectionMaps maps(device(), data, kind, settings(size), MapView());
             return std::nullopt;
         } catch (const UsageError& error) {
             return error.what();

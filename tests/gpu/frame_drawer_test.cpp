@@ -48,15 +48,13 @@ class DrawnFrames : public DeviceTest {
         cache.fill(gpu_scene, 0, light, progress);
         MapSettings settings;
         settings.size = 4;
-        const ReflectionMaps maps(device(), data, MapKind::polygon, settings);
+        const ReflectionMaps maps(device(), data, MapKind::polygon, settings, {camera, kWidth, kHeight});
         const RoughMaps rough_maps(device(), data, rough_map_settings(MapKind::polygon, settings));
         Bindings bindings = gpu_scene.bindings();
         bindings.merge(cache.bindings());
         bindings.merge(maps.bindings());
         bindings.merge(rough_maps.bindings());
-        Specialization specialization = gpu_scene.specialization();
-        specialization[interop::SPEC_MAP_SIZE] = 4;
-        FrameDrawer drawer(device(), data, specialization, bindings, nullptr, kWidth, kHeight);
+        FrameDrawer drawer(device(), data, gpu_scene.specialization(), bindings, nullptr, kWidth, kHeight);
         drawer.warm_up();
         const auto info = make_camera_info(camera, data.origin, kWidth, kHeight);
         if (samples.size() == 0) {
@@ -65,7 +63,9 @@ class DrawnFrames : public DeviceTest {
         }
         Film film(device(), kWidth, kHeight, "drawn film");
         for (const std::uint32_t count : samples) {
-            EXPECT_EQ(drawer.add_samples(film, {info, kSeed}, count, progress).nonfinite, 0u);
+            const auto counts =
+                drawer.add_samples(film, {info, kSeed}, count, progress, [] { return false; });
+            EXPECT_EQ(counts.nonfinite, 0u);
         }
         return film.resolve();
     }

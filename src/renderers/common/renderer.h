@@ -28,6 +28,8 @@ struct RenderStatistics {
     double frame_seconds = 0.0;    ///< wall time of the samples
     FrameCounts counts;            ///< of the samples, preparation excluded
     FrameCounts prepare_counts;
+    std::uint32_t maps = 0;           ///< of reflections, captured or not
+    std::uint32_t captured_maps = 0;  ///< of those, looked up by some pixel
 };
 
 /// A point on the two axes light and reflection, which renders one view of one scene sample by sample.

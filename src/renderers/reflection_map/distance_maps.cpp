@@ -23,7 +23,7 @@ namespace {
 
 std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const SceneData& data,
                                                  const std::vector<std::uint32_t>& instances,
-                                                 const std::vector<interop::ReflectorInfo>& infos,
+                                                 const std::vector<interop::ProbeInfo>& infos,
                                                  std::uint32_t size) {
     const std::uint64_t samples =
         std::uint64_t{infos.size()} * interop::DISTANCE_FACES * samples_per_face(size);
@@ -69,7 +69,7 @@ std::uint64_t DistanceMaps::bytes(std::uint32_t size) {
 }
 
 DistanceMaps::DistanceMaps(Device& device, const SceneData& data, std::vector<std::uint32_t> instances,
-                           const std::vector<interop::ReflectorInfo>& infos, std::uint32_t size,
+                           const std::vector<interop::ProbeInfo>& infos, std::uint32_t size,
                            Tolerance::Of tolerance)
     : device_(&device),
       instances_(std::move(instances)),

@@ -25,7 +25,7 @@ class DistanceMaps {
     /// @throws UsageError if they cannot fit into one buffer of the device
     /// @param instances that each of the probes belongs to
     DistanceMaps(Device& device, const SceneData& data, std::vector<std::uint32_t> instances,
-                 const std::vector<interop::ReflectorInfo>& infos, std::uint32_t size,
+                 const std::vector<interop::ProbeInfo>& infos, std::uint32_t size,
                  Tolerance::Of tolerance = Tolerance::Of::place);
 
     /// Traces the distances and bounds them.
@@ -50,7 +50,7 @@ class DistanceMaps {
   private:
     Device* device_;
     std::vector<std::uint32_t> instances_;
-    std::vector<interop::ReflectorInfo> probes_;
+    std::vector<interop::ProbeInfo> probes_;
     std::uint32_t size_;
     Tolerance::Of tolerance_;
     std::vector<interop::DistanceMapInfo> infos_;

@@ -43,26 +43,30 @@ float near_plane(const SceneData& data) {
     return static_cast<float>(kNearShare * glm::length(glm::dvec3(data.bounds.extent())));
 }
 
-DrawnSamples::DrawnSamples(Device& device, std::uint32_t width, std::uint32_t height)
+DrawnSamples::DrawnSamples(Device& device, std::uint32_t width, std::uint32_t height,
+                           const Buffer& map_states)
     : device_(device),
       drawn_(device, std::uint64_t{width} * rows_of_bands(device, width, height) * sizeof(glm::vec4),
              "drawn rows"),
       counters_(device, sizeof(interop::Counters), "drawing counters"),
-      add_kernel_(device, "add_drawn", kernels::add_drawn, {}, sizeof(interop::AddDrawnPush)) {}
+      add_kernel_(device, "add_drawn", kernels::add_drawn, {}, sizeof(interop::AddDrawnPush)),
+      map_states_(map_states) {}
 
 FrameCounts DrawnSamples::add(Film& film, interop::RasterPush view, std::uint32_t count, Progress& progress,
                               const Attachment& colour,
                               const std::function<void(const vk::raii::CommandBuffer& commands,
-                                                       const interop::RasterPush& view)>& record) {
+                                                       const interop::RasterPush& view)>& record,
+                              const CompleteMaps& complete) {
     std::vector<BindingSet> sets;
     for (const Film::Band& band : film.bands()) {
         sets.push_back(add_kernel_.bind({{interop::BINDING_FILM, &band.pixels},
                                          {interop::BINDING_DRAWN, &drawn_},
-                                         {interop::BINDING_COUNTERS, &counters_}}));
+                                         {interop::BINDING_COUNTERS, &counters_},
+                                         {interop::BINDING_MAP_STATES, &map_states_}}));
     }
     counters_.fill_with_zero();
     FrameCounts counts;
-    for (std::uint32_t done = 0; done < count && !progress.cancelled(); ++done) {
+    for (std::uint32_t done = 0; done < count && !progress.cancelled();) {
         view.sample_index = film.samples();
         view.jitter =
             sample_2d(sampler_key({0, 0}, view.seed, view.sample_index & 1u), view.sample_index >> 1, 0);
@@ -75,8 +79,9 @@ FrameCounts DrawnSamples::add(Film& film, interop::RasterPush view, std::uint32_
                 add_kernel_.dispatch(commands, sets[i], add, (add.pixels + 63) / 64);
             }
         });
+        if (complete()) continue;
         film.note_samples(1);
-        progress.update(done + 1, count);
+        progress.update(++done, count);
     }
     const auto totals = counters_.download_records<interop::Counters>(1).front();
     counts.nonfinite = totals.nonfinite;

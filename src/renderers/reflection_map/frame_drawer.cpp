@@ -24,7 +24,7 @@ FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& 
       background_(background_of(data)),
       colour_(device, width, height, kColourFormat, "drawn picture"),
       depth_(device, width, height, kDepthFormat, "depth of the drawn picture"),
-      samples_(device, width, height),
+      samples_(device, width, height, *bindings.at(interop::BINDING_MAP_STATES)),
       triangles_(make_buffer<std::uint32_t>(device, list.triangles, "draw list")),
       triangle_count_(static_cast<std::uint32_t>(list.triangles.size())),
       depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::RasterPush)),
@@ -87,9 +87,10 @@ void FrameDrawer::record(const vk::raii::CommandBuffer& commands, const interop:
     });
 }
 
-void FrameDrawer::draw_frame(const DrawSettings& settings) {
-    device_.run("draw a frame",
-                [&](const vk::raii::CommandBuffer& commands) { record(commands, view_of(settings)); });
+void FrameDrawer::draw_frame(const DrawSettings& settings, const glm::vec2& jitter) {
+    interop::RasterPush view = view_of(settings);
+    view.jitter = jitter;
+    device_.run("draw a frame", [&](const vk::raii::CommandBuffer& commands) { record(commands, view); });
 }
 
 std::vector<glm::vec4> FrameDrawer::drawn_pixels() const {
@@ -129,11 +130,11 @@ std::vector<float> FrameDrawer::traced_pixels() const {
 }
 
 FrameCounts FrameDrawer::add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,
-                                     Progress& progress) {
-    return samples_.add(film, view_of(settings), count, progress, colour_,
-                        [&](const vk::raii::CommandBuffer& commands, const interop::RasterPush& view) {
-                            record(commands, view);
-                        });
+                                     Progress& progress, const CompleteMaps& complete) {
+    const auto record_view = [&](const vk::raii::CommandBuffer& commands, const interop::RasterPush& view) {
+        record(commands, view);
+    };
+    return samples_.add(film, view_of(settings), count, progress, colour_, record_view, complete);
 }
 
 }  // namespace utsuri

@@ -32,7 +32,7 @@ struct DrawSettings {
 /// Draws one view of a scene with the raster pipeline and adds the pictures to a film: see DrawnSamples.
 class FrameDrawer {
   public:
-    /// @param bindings of scene, light cache and maps
+    /// @param bindings of scene, light cache and maps; the states of the maps must outlive this
     /// @param reflectors draws what is reflective; none if nothing is; must outlive this
     /// @throws DeviceError if the device cannot draw pictures of this size
     FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
@@ -42,14 +42,16 @@ class FrameDrawer {
     /// Makes the driver compile what add_samples() needs.
     void warm_up();
 
-    /// Draws one picture, a sample at the centre of each pixel, and leaves it for frame().
-    void draw_frame(const DrawSettings& settings);
+    /// Draws one picture and leaves it for frame().
+    /// @param jitter where in its pixel each sample lies, in [0, 1)^2
+    void draw_frame(const DrawSettings& settings, const glm::vec2& jitter = {0.5f, 0.5f});
     [[nodiscard]] Image frame() const;
     /// How the reflections of that picture were found: Renderer::traced_pixels().
     [[nodiscard]] std::vector<float> traced_pixels() const;
 
-    FrameCounts add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,
-                            Progress& progress);
+    /// @param complete see DrawnSamples::add()
+    FrameCounts add_samples(Film& film, const DrawSettings& settings, std::uint32_t count, Progress& progress,
+                            const CompleteMaps& complete);
 
   private:
     /// One pipeline and the triangles it draws.

@@ -5,7 +5,6 @@
 #include "renderers/reflection_map/distance_maps.h"
 #include "renderers/reflection_map/radiance_bounds.h"
 #include "renderers/reflection_map/reflection_maps.h"
-#include "renderers/reflection_map/reflector_drawer.h"
 #include "renderers/reflection_map/rough_maps.h"
 
 namespace utsuri {
@@ -17,19 +16,17 @@ RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps);
 Specialization with_proxies(Specialization specialization, const ReflectionMaps& maps,
                             const RoughMaps& rough_maps);
 
-/// What is known of what surrounds reflectors; null where nothing needs it.
+/// What is known of what surrounds surfaces that reflect, whatever the eye; null where nothing needs it.
 struct KnownSurroundings {
+    RoughMaps* rough = nullptr;
     DistanceMaps* distances = nullptr;
     RadianceBounds* radiance = nullptr;
 };
 
-/// Fills a light cache, captures maps lit from it, and adds what that took to the statistics.
+/// Fills a light cache, captures surroundings lit from it, and adds what that took to the statistics.
 /// @param filled is filled by the first renderer that needs it; its cost counts as if it had been filled here
-/// @param surroundings captured too
-/// @param eye whose axes orient sphere maps
-void prepare_light_and_maps(const GpuScene& scene, FilledLight& filled, LightCache& light,
-                            ReflectionMaps& maps, RoughMaps& rough_maps,
-                            const KnownSurroundings& surroundings, const Camera& eye,
-                            const RenderSettings& settings, RenderStatistics& statistics, Progress& progress);
+void prepare_light_and_surroundings(const GpuScene& scene, FilledLight& filled, LightCache& light,
+                                    const KnownSurroundings& surroundings, const RenderSettings& settings,
+                                    RenderStatistics& statistics, Progress& progress);
 
 }  // namespace utsuri

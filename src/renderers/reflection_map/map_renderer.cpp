@@ -23,7 +23,7 @@ std::optional<DistanceMaps> make_distances(Device& device, const SceneData& data
                                            MapKind kind, const MapSettings& settings) {
     if (maps.infos().empty() || (!keeps_distances(kind) && !settings.predicts_errors)) return std::nullopt;
     return std::make_optional<DistanceMaps>(
-        device, data, maps.instances(), maps.infos(), DistanceMaps::size_for(settings.size),
+        device, data, maps.instances(), maps.infos(), DistanceMaps::size_for(maps.largest_size()),
         bounds_radiance(kind, settings) ? Tolerance::Of::radiance : Tolerance::Of::place);
 }
 
@@ -31,7 +31,7 @@ std::optional<RadianceBounds> make_radiance_bounds(Device& device, const Reflect
                                                    const MapSettings& settings) {
     if (maps.infos().empty() || !bounds_radiance(kind, settings)) return std::nullopt;
     return std::make_optional<RadianceBounds>(device, maps.instances(), maps.infos(),
-                                              DistanceMaps::size_for(settings.size));
+                                              DistanceMaps::size_for(maps.largest_size()));
 }
 
 template <typename Errors>
@@ -57,11 +57,12 @@ MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& 
       settings_(settings),
       map_settings_(map_settings),
       kind_(kind),
-      maps_(device, data, kind, map_settings),
+      maps_(device, data, kind, map_settings, {camera, settings.width, settings.height}),
       distances_(make_distances(device, data, maps_, kind, map_settings)),
       radiance_bounds_(make_radiance_bounds(device, maps_, kind, map_settings)),
       rough_maps_(device, data, rough_map_settings(kind, map_settings)),
       light_cache_(device, data, light.settings),
+      capture_(device, scene, light_cache_, maps_, settings, map_settings),
       reflectors_(maps_.reflectors().triangles.empty()
                       ? nullptr
                       : std::make_unique<ReflectorDrawer>(device, data, maps_.reflectors(), kind,
@@ -99,10 +100,13 @@ void MapRenderer::prepare(Progress& progress) {
     reflect();
     statistics_.compile_seconds += seconds_since(start);
 
-    prepare_light_and_maps(
-        scene_, filled_light_, light_cache_, maps_, rough_maps_,
-        {distances_ ? &*distances_ : nullptr, radiance_bounds_ ? &*radiance_bounds_ : nullptr}, camera_,
+    prepare_light_and_surroundings(
+        scene_, filled_light_, light_cache_,
+        {&rough_maps_, distances_ ? &*distances_ : nullptr, radiance_bounds_ ? &*radiance_bounds_ : nullptr},
         settings_, statistics_, progress);
+    capture_.prepare(
+        camera_, [&](const glm::vec2& jitter) { drawer_.draw_frame(draw_settings(), jitter); }, statistics_,
+        progress);
 }
 
 void MapRenderer::look_from(const Camera& camera) {
@@ -128,13 +132,17 @@ DrawSettings MapRenderer::draw_settings() const {
 
 bool MapRenderer::draw_frame() {
     if (eye_moved_) reflect();
-    drawer_.draw_frame(draw_settings());
+    const Progress silent;
+    do {
+        drawer_.draw_frame(draw_settings());
+    } while (capture_.complete(statistics_, silent));
     return true;
 }
 
 FrameCounts MapRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
     const double vertex_seconds = eye_moved_ ? reflect() : 0.0;
-    FrameCounts counts = drawer_.add_samples(film, draw_settings(), count, progress);
+    FrameCounts counts = drawer_.add_samples(film, draw_settings(), count, progress,
+                                             [&] { return capture_.complete(statistics_, progress); });
     counts.gpu_seconds += vertex_seconds;
     return counts;
 }

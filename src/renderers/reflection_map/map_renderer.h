@@ -4,6 +4,7 @@
 #include "renderers/common/light_cache.h"
 #include "renderers/reflection_map/distance_maps.h"
 #include "renderers/reflection_map/frame_drawer.h"
+#include "renderers/reflection_map/map_capture.h"
 #include "renderers/reflection_map/prediction_drawer.h"
 #include "renderers/reflection_map/radiance_bounds.h"
 #include "renderers/reflection_map/reflection_maps.h"
@@ -73,6 +74,7 @@ class MapRenderer : public Renderer {
     std::optional<RadianceBounds> radiance_bounds_;
     RoughMaps rough_maps_;
     LightCache light_cache_;
+    MapCapture capture_;
     std::unique_ptr<ReflectorDrawer> reflectors_;
     FrameDrawer drawer_;
 };

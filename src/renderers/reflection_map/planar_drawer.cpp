@@ -24,7 +24,7 @@ PlanarDrawer::PlanarDrawer(Device& device, const SceneData& data, const PlaneMir
       depth_(device, width, height, kDepthFormat, "depth of the drawn picture"),
       drawn_before_(device, picture_bytes(width, height), "picture before an image"),
       throughput_before_(device, picture_bytes(width, height), "throughput before an image"),
-      samples_(device, width, height),
+      samples_(device, width, height, *bindings.at(interop::BINDING_MAP_STATES)),
       drawer_(device, data, mirrors, curved, faces, specialization, with_pictures(bindings)) {}
 
 Bindings PlanarDrawer::with_pictures(Bindings bindings) const {
@@ -41,17 +41,29 @@ void PlanarDrawer::warm_up() {
     });
 }
 
-FrameCounts PlanarDrawer::add_samples(Film& film, const std::vector<MirrorImage>& images, std::uint32_t seed,
-                                      std::uint32_t count, Progress& progress) {
+interop::RasterPush PlanarDrawer::view_of(std::uint32_t seed) const {
     interop::RasterPush view{};
     view.near_plane = near_plane_;
     view.seed = seed;
     view.excluded_instance = interop::NONE;
-    view.pixel = 1.0f / glm::vec2(film.width(), film.height());
-    return samples_.add(film, view, count, progress, colour_,
-                        [&](const vk::raii::CommandBuffer& commands, const interop::RasterPush& push) {
-                            draw(commands, images, push);
-                        });
+    view.pixel = 1.0f / glm::vec2(colour_.width(), colour_.height());
+    return view;
+}
+
+void PlanarDrawer::draw_frame(const std::vector<MirrorImage>& images, std::uint32_t seed,
+                              const glm::vec2& jitter) {
+    interop::RasterPush view = view_of(seed);
+    view.jitter = jitter;
+    device_.run("draw a frame",
+                [&](const vk::raii::CommandBuffer& commands) { draw(commands, images, view); });
+}
+
+FrameCounts PlanarDrawer::add_samples(Film& film, const std::vector<MirrorImage>& images, std::uint32_t seed,
+                                      std::uint32_t count, Progress& progress, const CompleteMaps& complete) {
+    const auto record = [&](const vk::raii::CommandBuffer& commands, const interop::RasterPush& push) {
+        draw(commands, images, push);
+    };
+    return samples_.add(film, view_of(seed), count, progress, colour_, record, complete);
 }
 
 void PlanarDrawer::draw(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,

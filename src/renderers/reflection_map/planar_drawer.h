@@ -10,7 +10,7 @@ namespace utsuri {
 /// reflection, of two, and so on. A pixel shows at most one image of each number of reflections.
 class PlanarDrawer {
   public:
-    /// @param bindings of scene, light cache and maps
+    /// @param bindings of scene, light cache and maps; the states of the maps must outlive this
     /// @param curved reflectors with maps
     /// @param faces of the maps
     /// @throws DeviceError if the device cannot draw pictures of this size
@@ -21,15 +21,22 @@ class PlanarDrawer {
     /// Makes the driver compile what add_samples() needs.
     void warm_up();
 
+    /// Draws one picture and leaves it at that.
     /// @param images plan_mirror_images() for a picture of this size
+    /// @param jitter where in its pixel each sample lies, in [0, 1)^2
+    void draw_frame(const std::vector<MirrorImage>& images, std::uint32_t seed, const glm::vec2& jitter);
+
+    /// @param images as above
+    /// @param complete see DrawnSamples::add()
     FrameCounts add_samples(Film& film, const std::vector<MirrorImage>& images, std::uint32_t seed,
-                            std::uint32_t count, Progress& progress);
+                            std::uint32_t count, Progress& progress, const CompleteMaps& complete);
 
     /// Distance of the near plane, scene space.
     [[nodiscard]] float near_plane() const { return near_plane_; }
 
   private:
     [[nodiscard]] Bindings with_pictures(Bindings bindings) const;
+    [[nodiscard]] interop::RasterPush view_of(std::uint32_t seed) const;
     void draw(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,
               const interop::RasterPush& view) const;
 

@@ -36,9 +36,11 @@ PlanarRenderer::PlanarRenderer(Device& device, const SceneData& data, const GpuS
       filled_light_(light),
       settings_(settings),
       mirrors_(find_plane_mirrors(data)),
-      maps_(device, data, MapKind::proxy, map_settings, curved_instances(data, mirrors_)),
+      maps_(device, data, MapKind::proxy, map_settings, {camera, settings.width, settings.height},
+            curved_instances(data, mirrors_)),
       rough_maps_(device, data, rough_map_settings(MapKind::proxy, map_settings)),
       light_cache_(device, data, light.settings),
+      capture_(device, scene, light_cache_, maps_, settings, map_settings),
       drawer_(device, data, mirrors_, maps_.reflectors(), maps_.faces(),
               with_proxy_maps(with_proxies(maps_.specialise(scene.specialization()), maps_, rough_maps_)),
               drawing_bindings(), settings.width, settings.height) {
@@ -58,8 +60,11 @@ void PlanarRenderer::prepare(Progress& progress) {
     drawer_.warm_up();
     statistics_.compile_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    prepare_light_and_maps(scene_, filled_light_, light_cache_, maps_, rough_maps_, {}, camera_, settings_,
-                           statistics_, progress);
+    prepare_light_and_surroundings(scene_, filled_light_, light_cache_, {&rough_maps_, nullptr, nullptr},
+                                   settings_, statistics_, progress);
+    capture_.prepare(
+        camera_, [&](const glm::vec2& jitter) { drawer_.draw_frame(images_, settings_.seed, jitter); },
+        statistics_, progress);
 }
 
 void PlanarRenderer::look_from(const Camera& camera) {
@@ -70,8 +75,17 @@ void PlanarRenderer::look_from(const Camera& camera) {
                                  static_cast<double>(drawer_.near_plane()), settings_.specular_depth);
 }
 
+bool PlanarRenderer::draw_frame() {
+    const Progress silent;
+    do {
+        drawer_.draw_frame(images_, settings_.seed, {0.5f, 0.5f});
+    } while (capture_.complete(statistics_, silent));
+    return true;
+}
+
 FrameCounts PlanarRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
-    return drawer_.add_samples(film, images_, settings_.seed, count, progress);
+    return drawer_.add_samples(film, images_, settings_.seed, count, progress,
+                               [&] { return capture_.complete(statistics_, progress); });
 }
 
 }  // namespace utsuri

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderers/common/light_cache.h"
+#include "renderers/reflection_map/map_capture.h"
 #include "renderers/reflection_map/planar_drawer.h"
 #include "renderers/reflection_map/reflection_maps.h"
 #include "renderers/reflection_map/rough_maps.h"
@@ -19,6 +20,7 @@ class PlanarRenderer : public Renderer {
 
     void prepare(Progress& progress) override;
     void look_from(const Camera& camera) override;
+    bool draw_frame() override;
 
     [[nodiscard]] const PlaneMirrors& mirrors() const { return mirrors_; }
     /// What a frame draws.
@@ -39,6 +41,7 @@ class PlanarRenderer : public Renderer {
     ReflectionMaps maps_;
     RoughMaps rough_maps_;
     LightCache light_cache_;
+    MapCapture capture_;
     PlanarDrawer drawer_;
     std::vector<MirrorImage> images_;
 };

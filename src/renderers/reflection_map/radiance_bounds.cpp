@@ -38,7 +38,7 @@ std::uint64_t bytes_of_bounds(const Device& device, std::size_t probes, std::uin
 }  // namespace
 
 RadianceBounds::RadianceBounds(Device& device, std::vector<std::uint32_t> instances,
-                               const std::vector<interop::ReflectorInfo>& infos, std::uint32_t size)
+                               const std::vector<interop::ProbeInfo>& infos, std::uint32_t size)
     : device_(&device),
       instances_(std::move(instances)),
       probes_(infos),

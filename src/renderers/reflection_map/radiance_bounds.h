@@ -23,7 +23,7 @@ class RadianceBounds {
     /// @throws UsageError if they cannot fit into one buffer of the device
     /// @param instances that each of the probes belongs to
     RadianceBounds(Device& device, std::vector<std::uint32_t> instances,
-                   const std::vector<interop::ReflectorInfo>& infos, std::uint32_t size);
+                   const std::vector<interop::ProbeInfo>& infos, std::uint32_t size);
 
     /// Traces rays along those that measure distances, and bounds what they bring.
     /// @param light filled
@@ -36,7 +36,7 @@ class RadianceBounds {
   private:
     Device* device_;
     std::vector<std::uint32_t> instances_;
-    std::vector<interop::ReflectorInfo> probes_;
+    std::vector<interop::ProbeInfo> probes_;
     std::uint32_t size_;
     Buffer samples_;  ///< of one face
     Buffer darkest_;

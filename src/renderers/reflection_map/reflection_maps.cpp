@@ -5,13 +5,13 @@
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
-#include "kernels/resolve_map.h"
-#include "kernels/trace_cached.h"
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace utsuri {
 namespace {
@@ -22,31 +22,55 @@ std::uint64_t texels_per_map(std::uint32_t size) {
 }
 
 /// Texels of all maps; throws where one buffer cannot hold them.
-std::uint64_t total_texels(const Device& device, std::size_t probes, std::uint32_t maps,
-                           const MapSettings& settings) {
-    const std::uint64_t count = static_cast<std::uint64_t>(probes) * maps;
+std::uint64_t total_texels(const Device& device, const std::vector<interop::ProbeInfo>& infos,
+                           std::uint32_t maps, const MapSettings& settings) {
+    std::uint64_t texels = 0;
+    for (const interop::ProbeInfo& info : infos)
+        texels += maps * texels_per_map(info.map_size);
     const std::uint64_t limit = device.summary().storage_range_bytes / sizeof(glm::vec3);
-    if (count * texels_per_map(settings.size) > limit) {
-        const double per_map = std::sqrt(static_cast<double>(limit) / static_cast<double>(count));
+    if (texels > limit) {
+        const double per_map =
+            std::sqrt(static_cast<double>(limit) / (static_cast<double>(infos.size()) * maps));
         throw UsageError(
             "capture reflection maps",
-            fmt::format("of {} texels from {} capture points", settings.size, probes),
+            settings.fitted ? fmt::format("as fine as pixels, from {} capture points", infos.size())
+                            : fmt::format("of {} texels from {} capture points", settings.size, infos.size()),
             fmt::format("they need {} MiB and {} can see {} MiB of a buffer; --map-size may be at most {}{}",
-                        count * texels_per_map(settings.size) * sizeof(glm::vec3) >> 20,
-                        device.summary().name, device.summary().storage_range_bytes >> 20,
+                        texels * sizeof(glm::vec3) >> 20, device.summary().name,
+                        device.summary().storage_range_bytes >> 20,
                         std::max(1, static_cast<int>(per_map) - 2),
                         settings.most_probes > 1 ? ", or use fewer --probes" : ""));
     }
-    return count * texels_per_map(settings.size);
+    return texels;
 }
 
-std::vector<interop::ReflectorInfo> describe_probes(const SceneData& data, const Reflectors& reflectors,
-                                                    const std::vector<Probe>& probes, MapKind kind,
-                                                    std::uint32_t maps, const MapSettings& settings,
-                                                    std::vector<interop::ProxyPlane>& proxy_planes) {
-    std::vector<interop::ReflectorInfo> infos;
+/// The angle that a texel covers where it covers most, of a map of one texel: of a sphere map, whose texels
+/// grow without bound towards its rim, in its middle.
+double texel_angle(MapKind kind, const std::vector<interop::MapFace>& faces) {
+    if (kind == MapKind::sphere) return 4.0;
+    double most = 0.0;
+    for (const interop::MapFace& face : faces)
+        most = std::max(most, static_cast<double>(face.half_diagonal * glm::length(face.outward)));
+    return std::numbers::sqrt2 * most;
+}
+
+std::vector<std::uint32_t> map_sizes(const SceneData& data, const Reflectors& reflectors,
+                                     const std::vector<Probe>& probes, MapKind kind,
+                                     const std::vector<interop::MapFace>& faces, const MapSettings& settings,
+                                     const MapView& view) {
+    if (!settings.fitted) return std::vector<std::uint32_t>(probes.size(), settings.size);
+    return fit_map_sizes(data, reflectors, probes, kind, view, texel_angle(kind, faces), settings.size);
+}
+
+std::vector<interop::ProbeInfo> describe_probes(const SceneData& data, const Reflectors& reflectors,
+                                                const std::vector<Probe>& probes, MapKind kind,
+                                                std::uint32_t maps, const MapSettings& settings,
+                                                const std::vector<std::uint32_t>& sizes,
+                                                std::vector<interop::ProxyPlane>& proxy_planes) {
+    std::vector<interop::ProbeInfo> infos;
     std::uint64_t first_texel = 0;
-    for (const Probe& probe : probes) {
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        const Probe& probe = probes[i];
         Proxy proxy;
         if (kind == MapKind::proxy) {
             proxy =
@@ -54,11 +78,12 @@ std::vector<interop::ReflectorInfo> describe_probes(const SceneData& data, const
         }
         infos.push_back({glm::vec3(probe.capture_point),
                          static_cast<std::uint32_t>(first_texel),
+                         sizes[i],
                          add_proxy(proxy_planes, proxy),
                          {},
                          {},
                          {}});
-        first_texel += maps * texels_per_map(settings.size);
+        first_texel += maps * texels_per_map(sizes[i]);
     }
     return infos;
 }
@@ -93,113 +118,113 @@ std::vector<interop::MapFace> faces_of(MapKind kind, const Polyhedron& polyhedro
 }  // namespace
 
 ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind kind,
-                               const MapSettings& settings)
-    : ReflectionMaps(device, data, kind, settings, data.requirements.reflective_instances) {}
+                               const MapSettings& settings, const MapView& view)
+    : ReflectionMaps(device, data, kind, settings, view, data.requirements.reflective_instances) {}
 
 ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind kind,
-                               const MapSettings& settings, const std::vector<std::uint32_t>& instances)
-    : device_(&device),
-      kind_(kind),
+                               const MapSettings& settings, const MapView& view,
+                               const std::vector<std::uint32_t>& instances)
+    : kind_(kind),
       settings_(settings),
       reflectors_(fine_reflectors(data, instances, settings.refinement)),
       faces_(faces_of(kind, settings.polyhedron)),
       probes_(place_probes(data, reflectors_, kind, {settings.most_probes, settings.capture_point})),
-      infos_(describe_probes(data, reflectors_, probes_, kind, maps_per_probe(), settings, proxy_planes_)),
-      info_buffer_(make_buffer<interop::ReflectorInfo>(device, infos_, "probes")),
+      infos_(describe_probes(data, reflectors_, probes_, kind, maps_per_probe(), settings,
+                             map_sizes(data, reflectors_, probes_, kind, faces_, settings, view),
+                             proxy_planes_)),
+      info_buffer_(make_buffer<interop::ProbeInfo>(device, infos_, "probes")),
       most_probes_(most_of_a_reflector(probes_, reflectors_)),
       ranges_(make_buffer<interop::ProbeRange>(device, probe_ranges(probes_, reflectors_.instances.size()),
                                                "probes of reflectors")),
       proxy_plane_buffer_(make_buffer<interop::ProxyPlane>(device, proxy_planes_, "planes of proxies")),
       texels_(device,
-              std::max<std::uint64_t>(1, total_texels(device, infos_.size(), maps_per_probe(), settings)) *
+              std::max<std::uint64_t>(1, total_texels(device, infos_, maps_per_probe(), settings)) *
                   sizeof(glm::vec3),
-              "reflection maps") {}
+              "reflection maps"),
+      states_(device, (1 + std::max(1u, map_count())) * sizeof(std::uint32_t), "states of reflection maps") {
+    states_.fill_with_zero();
+}
 
-interop::CameraInfo ReflectionMaps::map_camera(std::uint32_t probe, std::uint32_t face,
-                                               const Camera& eye) const {
+std::uint32_t ReflectionMaps::stride(std::uint32_t probe) const {
+    return infos_[probe].map_size + 2 * interop::MAP_BORDER;
+}
+
+std::uint32_t ReflectionMaps::first_texel(std::uint32_t map) const {
+    const std::uint32_t probe = map / maps_per_probe();
+    return infos_[probe].first_texel + map % maps_per_probe() * stride(probe) * stride(probe);
+}
+
+interop::CameraInfo ReflectionMaps::map_camera(std::uint32_t map) const {
+    const interop::ProbeInfo& info = infos_[map / maps_per_probe()];
     // The picture reaches half a border texel's neighbours beyond the map: see MAP_BORDER.
-    const float edge = static_cast<float>(stride()) / static_cast<float>(settings_.size);
-    interop::CameraInfo camera{};
-    camera.origin = infos_[probe].capture_point;
-    if (kind_ == MapKind::sphere) {
-        camera.right = edge * glm::vec3(eye.right);
-        camera.up = edge * glm::vec3(eye.up);
-        camera.forward = glm::vec3(eye.forward);
-        return camera;
-    }
-    const FacePicture picture = face_picture(settings_.polyhedron, face);
-    camera.right = edge * glm::vec3(picture.right);
-    camera.up = edge * glm::vec3(picture.up);
-    camera.forward = glm::vec3(picture.centre);
-    return camera;
+    const float edge = static_cast<float>(stride(map / maps_per_probe())) / static_cast<float>(info.map_size);
+    if (kind_ == MapKind::sphere)
+        return {info.capture_point, edge * info.map_right, edge * info.map_up, info.map_forward};
+    const FacePicture picture = face_picture(settings_.polyhedron, map % maps_per_probe());
+    return {info.capture_point, edge * glm::vec3(picture.right), edge * glm::vec3(picture.up),
+            glm::vec3(picture.centre)};
 }
 
 std::uint32_t ReflectionMaps::maps_per_probe() const {
     return kind_ == MapKind::sphere ? 1 : static_cast<std::uint32_t>(faces_.size());
 }
 
-FrameCounts ReflectionMaps::capture(const GpuScene& scene, const LightCache& light, const Camera& eye,
-                                    const RenderSettings& settings, double& seconds_to_compile,
-                                    Progress& progress) {
-    FrameCounts counts;
-    if (infos_.empty()) return counts;
-    for (interop::ReflectorInfo& info : infos_) {
+std::uint32_t ReflectionMaps::map_count() const {
+    return static_cast<std::uint32_t>(infos_.size()) * maps_per_probe();
+}
+
+std::uint32_t ReflectionMaps::largest_size() const {
+    std::uint32_t largest = 0;
+    for (const interop::ProbeInfo& info : infos_)
+        largest = std::max(largest, info.map_size);
+    return largest;
+}
+
+void ReflectionMaps::turn_to(const Camera& eye) {
+    if (infos_.empty()) return;
+    for (interop::ProbeInfo& info : infos_) {
         info.map_right = glm::vec3(eye.right);
         info.map_up = glm::vec3(eye.up);
         info.map_forward = glm::vec3(eye.forward);
     }
     info_buffer_.upload(std::as_bytes(std::span(infos_)));
-    Specialization specialization = scene.specialization();
-    specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
-    specialization[interop::SPEC_PROJECTION] =
-        kind_ == MapKind::sphere ? interop::PROJECTION_SPHERE_MAP : interop::PROJECTION_PERSPECTIVE;
-    Bindings bindings = scene.bindings();
-    bindings.merge(light.bindings());
-    FilmKernel tracer(*device_, "trace_cached", kernels::trace_cached, specialization, bindings);
-    const Kernel resolver(*device_, "resolve_map", kernels::resolve_map, {}, sizeof(interop::ResolveMapPush));
-    Film film(*device_, stride(), stride(), "map film");
-    seconds_to_compile = tracer.warm_up(film);
-    Progress silent;
+}
 
-    const auto maps = static_cast<std::uint32_t>(infos_.size()) * maps_per_probe();
-    for (std::uint32_t map = 0; map < maps; ++map) {
-        if (progress.cancelled()) throw Interrupted();
-        const std::uint32_t probe = map / maps_per_probe();
-        film.clear();
-        FrameSettings frame;
-        frame.camera = map_camera(probe, map % maps_per_probe(), eye);
-        // Any odd multiple of the map's number keeps the samples of maps and picture apart.
-        frame.seed = settings.seed ^ (0x9e3779b9u * (map + 1));
-        frame.specular_depth = std::min(settings.specular_depth, scene.specular_depth());
-        frame.excluded_instance = reflectors_.instances[probes_[probe].reflector];
-        accumulate(counts, tracer.add_samples(film, frame, settings_.samples, silent));
+void ReflectionMaps::want_all() {
+    std::vector<std::uint32_t> states(1 + map_count(), interop::MAP_WANTED);
+    states.front() = map_count();
+    states_.upload(std::as_bytes(std::span(states)));
+}
 
-        interop::ResolveMapPush push{};
-        push.samples = settings_.samples;
-        for (const Film::Band& band : film.bands()) {
-            push.texels = stride() * band.rows;
-            push.first_texel =
-                infos_[probe].first_texel + (map % maps_per_probe() * stride() + band.first_row) * stride();
-            const BindingSet set = resolver.bind(
-                {{interop::BINDING_FILM, &band.pixels}, {interop::BINDING_MAP_TEXELS, &texels_}});
-            counts.gpu_seconds += device_->run("resolve a map", [&](const vk::raii::CommandBuffer& commands) {
-                resolver.dispatch(commands, set, push, (push.texels + 63) / 64);
-            });
-        }
-        progress.update(map + 1, maps);
+std::vector<std::uint32_t> ReflectionMaps::wanted() const {
+    std::vector<std::uint32_t> maps;
+    if (states_.download_records<std::uint32_t>(1).front() == 0) return maps;
+    const auto states = states_.download_records<std::uint32_t>(1 + map_count());
+    for (std::uint32_t map = 0; map < map_count(); ++map) {
+        if (states[1 + map] == interop::MAP_WANTED) maps.push_back(map);
     }
-    return counts;
+    return maps;
+}
+
+void ReflectionMaps::note_captured(const std::vector<std::uint32_t>& maps) {
+    auto states = states_.download_records<std::uint32_t>(1 + map_count());
+    for (const std::uint32_t map : maps)
+        states[1 + map] = interop::MAP_CAPTURED;
+    const auto first = states.begin() + 1;
+    states.front() = static_cast<std::uint32_t>(std::count(first, states.end(), interop::MAP_WANTED));
+    captured_ = static_cast<std::uint32_t>(std::count(first, states.end(), interop::MAP_CAPTURED));
+    states_.upload(std::as_bytes(std::span(states)));
 }
 
 Bindings ReflectionMaps::bindings() const {
-    return {{interop::BINDING_REFLECTORS, &info_buffer_},
+    return {{interop::BINDING_PROBES, &info_buffer_},
             {interop::BINDING_PROBE_RANGES, &ranges_},
             {interop::BINDING_PROXY_PLANES, &proxy_plane_buffer_},
-            {interop::BINDING_MAP_TEXELS, &texels_}};
+            {interop::BINDING_MAP_TEXELS, &texels_},
+            {interop::BINDING_MAP_STATES, &states_}};
 }
 
 Specialization ReflectionMaps::specialise(Specialization others) const {
-    others[interop::SPEC_MAP_SIZE] = settings_.size;
     others[interop::SPEC_MOST_PROBES] = most_probes_;
     return others;
 }
@@ -212,8 +237,8 @@ std::vector<std::uint32_t> ReflectionMaps::instances() const {
 }
 
 Image ReflectionMaps::map(std::uint32_t probe, std::uint32_t face) const {
-    Image image(stride(), stride());
-    const std::uint64_t first = infos_[probe].first_texel + face * texels_per_map(settings_.size);
+    Image image(stride(probe), stride(probe));
+    const std::uint64_t first = first_texel(probe * maps_per_probe() + face);
     texels_.download(std::as_writable_bytes(std::span(image.pixels)), first * sizeof(glm::vec3));
     return image;
 }

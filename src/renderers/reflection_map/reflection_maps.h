@@ -2,17 +2,14 @@
 #pragma once
 
 #include "renderers/common/film_kernel.h"
-#include "renderers/common/gpu_scene.h"
-#include "renderers/common/light_cache.h"
-#include "renderers/common/renderer.h"
+#include "renderers/common/scene_data.h"
+#include "renderers/reflection_map/map_size.h"
 #include "renderers/reflection_map/polyhedron.h"
 #include "renderers/reflection_map/probes.h"
 #include "renderers/reflection_map/proxy.h"
 #include "renderers/reflection_map/reflector_drawer.h"
 #include "renderers/reflection_map/reflectors.h"
 #include "renderers/reflection_map/tolerance.h"
-
-#include "base/progress.h"
 
 #include <glm/vec3.hpp>
 
@@ -22,9 +19,13 @@
 
 namespace utsuri {
 
+/// Size up to which maps are fitted to pixels: twice that at which a texel is as wide as a pixel of a plane
+/// mirror in a picture 512 pixels and 90 degrees wide.
+inline constexpr std::uint32_t kMostFittedMapSize = 1024;
+
 struct MapSettings {
-    std::uint32_t size = 256;                                ///< texels along an edge of a map, [1, 4096]
-    std::uint32_t samples = 16;                              ///< per texel, >= 1
+    std::uint32_t size = 256;    ///< texels along an edge of a map, [1, 4096]; at most, if they are fitted
+    std::uint32_t samples = 16;  ///< per texel, >= 1
     std::optional<glm::dvec3> capture_point = std::nullopt;  ///< world space; each reflector's own if not set
     std::uint32_t most_probes = 1;                   ///< capture points of a reflector, [1, kMostProbes]
     Polyhedron polyhedron = cube();                  ///< of polygon maps
@@ -34,30 +35,49 @@ struct MapSettings {
     /// drawn whole, their faces found per pixel. Follows from the number of polygons if not set.
     std::optional<std::uint32_t> most_cut_pieces = std::nullopt;
     Tolerance tolerance = {};      ///< of MapKind::hybrid
+    bool fitted = false;           ///< each probe's maps only as fine as pixels of the first view need them
+    bool captures_all = false;     ///< capture maps that nothing looks up yet, too, so that no frame waits
     bool predicts_errors = false;  ///< keep what MapRenderer::predict_errors() needs, whatever the method
 };
 
-/// Maps captured for every reflective instance by the tracing kernel, without the instance itself, from one
-/// probe or several.
+/// The maps of every reflective instance, seen from one probe or several without the instance itself. They
+/// are captured when they are first looked up: see MapCapture.
 class ReflectionMaps {
   public:
+    /// @param view that fitted maps are fine enough for
     /// @throws UsageError if the maps cannot fit into one buffer of the device, with the largest size that
     /// would
-    ReflectionMaps(Device& device, const SceneData& data, MapKind kind, const MapSettings& settings);
+    ReflectionMaps(Device& device, const SceneData& data, MapKind kind, const MapSettings& settings,
+                   const MapView& view);
     /// @param instances that get maps, ascending
     ReflectionMaps(Device& device, const SceneData& data, MapKind kind, const MapSettings& settings,
-                   const std::vector<std::uint32_t>& instances);
+                   const MapView& view, const std::vector<std::uint32_t>& instances);
 
-    /// Renders the maps.
-    /// @param light filled
-    /// @param eye whose axes orient sphere maps
-    /// @param seconds_to_compile is set to the time of the capturing pipeline
-    FrameCounts capture(const GpuScene& scene, const LightCache& light, const Camera& eye,
-                        const RenderSettings& settings, double& seconds_to_compile, Progress& progress);
+    /// Turns sphere maps, before any is captured, to an eye whose axes they follow.
+    void turn_to(const Camera& eye);
+
+    /// Asks for all maps, as if something had looked them up.
+    void want_all();
+    /// Maps that were looked up since they were last captured, ascending: each is number
+    /// probe * maps_per_probe() + face.
+    [[nodiscard]] std::vector<std::uint32_t> wanted() const;
+    void note_captured(const std::vector<std::uint32_t>& maps);
+    [[nodiscard]] std::uint32_t captured_count() const { return captured_; }
+    [[nodiscard]] std::uint32_t map_count() const;
+    /// Texels along an edge of the largest maps; 0 without maps.
+    [[nodiscard]] std::uint32_t largest_size() const;
+
+    /// What sees a map, its border included.
+    [[nodiscard]] interop::CameraInfo map_camera(std::uint32_t map) const;
+    /// Texels along an edge of a probe's maps, with their borders.
+    [[nodiscard]] std::uint32_t stride(std::uint32_t probe) const;
+    /// Where a map is among the texels.
+    [[nodiscard]] std::uint32_t first_texel(std::uint32_t map) const;
+    [[nodiscard]] MapKind kind() const { return kind_; }
 
     [[nodiscard]] const Reflectors& reflectors() const { return reflectors_; }
     /// Of each probe: those of a reflector follow one another.
-    [[nodiscard]] const std::vector<interop::ReflectorInfo>& infos() const { return infos_; }
+    [[nodiscard]] const std::vector<interop::ProbeInfo>& infos() const { return infos_; }
     [[nodiscard]] const std::vector<Probe>& probes() const { return probes_; }
     /// The instance that each probe belongs to.
     [[nodiscard]] std::vector<std::uint32_t> instances() const;
@@ -74,23 +94,20 @@ class ReflectionMaps {
     [[nodiscard]] const std::vector<interop::MapFace>& faces() const { return faces_; }
 
   private:
-    [[nodiscard]] std::uint32_t stride() const { return settings_.size + 2 * interop::MAP_BORDER; }
-    [[nodiscard]] interop::CameraInfo map_camera(std::uint32_t probe, std::uint32_t face,
-                                                 const Camera& eye) const;
-
-    Device* device_;
     MapKind kind_;
     MapSettings settings_;
     Reflectors reflectors_;
     std::vector<interop::MapFace> faces_;
     std::vector<interop::ProxyPlane> proxy_planes_;
     std::vector<Probe> probes_;
-    std::vector<interop::ReflectorInfo> infos_;
+    std::vector<interop::ProbeInfo> infos_;
     Buffer info_buffer_;
     std::uint32_t most_probes_;  ///< of one reflector, that there are
     Buffer ranges_;
     Buffer proxy_plane_buffer_;
     Buffer texels_;
+    std::uint32_t captured_ = 0;
+    Buffer states_;
 };
 
 }  // namespace utsuri

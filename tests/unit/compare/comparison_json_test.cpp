@@ -111,6 +111,8 @@ TEST(ComparisonJson, MethodsHaveEveryField) {
         EXPECT_EQ(method["peak_bytes"], 3 << 20);
         EXPECT_EQ(method["rays"], 12345678);
         EXPECT_EQ(method["prepare_rays"], 99);
+        EXPECT_EQ(method["maps"], 12);
+        EXPECT_EQ(method["captured_maps"], 5);
         EXPECT_EQ(method["traced_fraction"], i == 0 ? 1.0 : 0.0);
         EXPECT_EQ(method["truncated_fraction"], 0.125);
         EXPECT_EQ(method["nonfinite"], 7);

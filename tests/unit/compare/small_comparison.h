@@ -33,6 +33,8 @@ inline MethodResult small_result(ReflectionMethod reflection) {
     result.peak_bytes = 3 << 20;
     result.rays = 12345678;
     result.prepare_rays = 99;
+    result.map_count = 12;
+    result.captured_maps = 5;
     result.traced_fraction = reflection == ReflectionMethod::trace ? 1.0 : 0.0;
     result.nonfinite = 7;
     result.truncated_fraction = 0.125;

@@ -30,7 +30,7 @@ TEST(Sweep, TracingHasNothingToSet) {
     EXPECT_THAT(settings[0].options, ElementsAre("--reflection", "trace"));
 }
 
-TEST(Sweep, MapsAreTriedUpToTheSizeAskedFor) {
+TEST(Sweep, MapsAreTriedUpToTheSizeAskedForAndFitted) {
     MapSettings given;
     given.size = 100;
     given.samples = 3;
@@ -38,19 +38,31 @@ TEST(Sweep, MapsAreTriedUpToTheSizeAskedFor) {
     ASSERT_EQ(settings.size(), 4u);
     EXPECT_THAT(settings[0].options, ElementsAre("--reflection", "cube-map", "--map-size", "25"));
     EXPECT_EQ(settings[0].maps.size, 25u);
-    EXPECT_EQ(settings[1].maps.size, 50u);
-    EXPECT_EQ(settings[2].maps.size, 100u);
-    EXPECT_EQ(settings[2].maps.samples, 3u);
+    EXPECT_EQ(settings[1].maps.size, 100u);
+    EXPECT_EQ(settings[1].maps.samples, 3u);
+    EXPECT_THAT(settings[2].options, ElementsAre("--reflection", "cube-map", "--map-size", "fit"));
+    EXPECT_TRUE(settings[2].maps.fitted);
 }
 
 TEST(Sweep, NoSizeIsTriedTwiceAndNoneIsNothing) {
     MapSettings given;
     given.size = 1;
     const auto smallest = settings_of(ReflectionMethod::cube_map, given);
-    ASSERT_EQ(smallest.size(), 2u) << "with one probe and with several";
+    ASSERT_EQ(smallest.size(), 3u) << "fitted, with one probe and with several";
     EXPECT_EQ(smallest[0].maps.size, 1u);
     given.size = 2;
-    EXPECT_EQ(settings_of(ReflectionMethod::cube_map, given).size(), 3u);
+    EXPECT_EQ(settings_of(ReflectionMethod::cube_map, given).size(), 4u);
+}
+
+TEST(Sweep, FittedMapsAskedForHaveNoOtherSizes) {
+    MapSettings given;
+    given.fitted = true;
+    for (const ReflectionMethod reflection : {ReflectionMethod::polygon_map, ReflectionMethod::hybrid}) {
+        for (const TradeSetting& setting : settings_of(reflection, given)) {
+            EXPECT_TRUE(setting.maps.fitted);
+            EXPECT_THAT(setting.options, testing::Contains("fit"));
+        }
+    }
 }
 
 TEST(Sweep, PolygonsAreTriedUnlessTheirSizeIsGiven) {
@@ -80,7 +92,7 @@ TEST(Sweep, SeveralProbesAreTriedUnlessTheirNumberIsGiven) {
 
 std::vector<double> tolerances_tried(const Tolerance& given) {
     MapSettings maps;
-    maps.size = 1;
+    maps.fitted = true;
     maps.most_probes = 2;
     maps.tolerance = given;
     std::vector<double> tried;
