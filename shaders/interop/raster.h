@@ -17,13 +17,14 @@ struct RasterPush {
     float tolerance;  ///< predicted error up to which maps are looked up: pixels, or share of the radiance
 };
 
-/// The fourth channel of a drawn picture tells how a pixel's reflection was found. Above DRAWN_LOOKED_UP: by
-/// that many rays more.
+/// The fourth channel of a drawn picture tells how a pixel's reflection was found: see lib/image_state.glsl.
 INTEROP_FLOAT_CONSTANT DRAWN_PLAIN = 0.0f;      ///< there is none
 INTEROP_FLOAT_CONSTANT DRAWN_LOOKED_UP = 1.0f;  ///< in a map
+INTEROP_FLOAT_CONSTANT DRAWN_RAY = 1024.0f;     ///< or more: by so many rays times this
+/// Counted for a pixel, at most: halves stay exact in float32.
+INTEROP_CONSTANT DRAWN_MOST_RAYS = 8191u;
 
-/// Number of the image that the eye sees directly; those in mirrors follow. Below zero the fourth channel
-/// tells of images in plane mirrors: see lib/image_state.glsl.
+/// Number of the image that the eye sees directly; those in mirrors follow.
 INTEROP_CONSTANT IMAGE_OF_EYE = 1024u;
 /// Instead of an image: a mirror whose image is not drawn.
 INTEROP_CONSTANT IMAGE_TRUNCATED = 0u;

@@ -22,11 +22,10 @@ void main() {
     uint pixel = gl_GlobalInvocationID.x;
     if (pixel >= push.pixels || wanted_maps > 0u) return;
     vec3 radiance = drawn[pixel].rgb;
-    float rays = drawn[pixel].a - DRAWN_LOOKED_UP;
-    if (rays >= 0.0) atomicAdd(counters.lookups, 1u);
-    if (rays > 0.0) {
+    uint rays = rays_of(drawn[pixel].a);
+    if (rays > 0u) {
         atomicAdd(counters.traced, 1u);
-        atomicAdd(counters.rays, uint(rays));
+        atomicAdd(counters.rays, rays);
     }
     uint reflections = reflections_of(drawn[pixel].a);
     if (reflections > 0u) atomicAdd(counters.lookups, reflections);

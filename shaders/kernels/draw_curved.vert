@@ -9,15 +9,8 @@
 #include "kernels/drawn_list.glsl"
 #include "kernels/drawn_triangle.glsl"
 #include "kernels/drawn_vertex.glsl"
-
-layout(scalar, binding = BINDING_LISTED_REFLECTORS) readonly restrict buffer ListedReflectors {
-    uint listed_reflectors[];
-};
+#include "kernels/listed_reflector.glsl"
 
 void main() {
-    uint corner = uint(gl_VertexIndex) % 3u;
-    set_drawn_triangle(listed_triangle(), vec2(corner == 1u, corner == 2u));
-    drawn_ids.w = listed_reflectors[uint(gl_VertexIndex) / 3u];
-    drawn_from_eye = listed_corner() - push.camera.origin;
-    gl_Position = project(drawn_from_eye);
+    set_listed_reflector();
 }

@@ -10,12 +10,5 @@
 #include "kernels/map_lookup.glsl"
 #include "kernels/search_bindings.glsl"
 #include "kernels/drawn_prediction.glsl"
-
-bool look_up(Surface surface, vec3 wo, out vec3 radiance) {
-    DrawnReflection reflection;
-    if (!find_within_tolerance(surface, wo, reflection)) return false;
-    radiance = polygon_map(reflection.probe, seen_along(reflection.ray, reflection.interval.guess));
-    return true;
-}
-
+#include "kernels/look_up_by_place.glsl"
 #include "kernels/hybrid_reflector.glsl"

@@ -17,7 +17,7 @@ void main() {
     vec3 radiance = drawn_light(wo, surface);
     float state = complete_after(image.reflections);
     if (is_specular(surface)) {
-        state = image.reflections == 0u ? DRAWN_LOOKED_UP : complete_after(image.reflections + 1u);
+        state = found_by(image.reflections, 0u);
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
                     mapped_radiance(surface, mirror_direction(surface, wo));
     }

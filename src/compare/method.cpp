@@ -41,6 +41,13 @@ MapKind map_kind(ReflectionMethod reflection) {
     fail_check(__FILE__, __LINE__, "a reflection method without maps of its own");
 }
 
+/// Whether hybrid draws images in plane mirrors: they show all in its place. A tolerance of radiance they
+/// need not keep, as rough surfaces in them are looked up.
+bool hybrid_draws_images(const Method& method, const SceneData& data, const MapSettings& maps) {
+    return method.reflection == ReflectionMethod::hybrid && maps.tolerance.of == Tolerance::Of::place &&
+           !find_plane_mirrors(data).mirrors.empty();
+}
+
 }  // namespace
 
 std::string_view to_string(LightMethod) {
@@ -112,9 +119,11 @@ std::unique_ptr<Renderer> make_renderer(const Method& method, const RenderInput&
     if (!uses_maps(method)) {
         return std::make_unique<RayTracer>(input.device, input.data, input.scene, input.camera, settings);
     }
-    if (method.reflection == ReflectionMethod::planar) {
+    const bool is_planar = method.reflection == ReflectionMethod::planar;
+    if (is_planar || hybrid_draws_images(method, input.data, maps)) {
+        const MapKind kind = is_planar ? MapKind::proxy : MapKind::hybrid;
         return std::make_unique<PlanarRenderer>(input.device, input.data, input.scene, input.light,
-                                                input.camera, settings, maps);
+                                                input.camera, kind, settings, maps);
     }
     return std::make_unique<MapRenderer>(input.device, input.data, input.scene, input.light, input.camera,
                                          map_kind(method.reflection), settings, maps);

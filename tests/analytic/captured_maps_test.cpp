@@ -142,7 +142,7 @@ TEST_F(CapturedMaps, OfCurvedReflectorsBesidePlaneOnes) {
     light.settings = light_.settings;
     for (const bool is_seen : {false, true}) {
         const Camera camera = look_at({0, 0, 2}, {0, is_seen ? 0.0 : 10.0, 0});
-        PlanarRenderer planar(device(), data, gpu_scene, light, camera, kPicture, settings_);
+        PlanarRenderer planar(device(), data, gpu_scene, light, camera, MapKind::proxy, kPicture, settings_);
         planar.prepare(silent_);
         EXPECT_EQ(planar.statistics().maps, kCubeFaces);
         EXPECT_EQ(planar.statistics().captured_maps > 0, is_seen);

@@ -26,7 +26,8 @@ class Planar : public DeviceTest {
         const GpuScene gpu_scene(device(), data);
         FilledLight light;
         light.settings = {1.0 / 60.0, 4};
-        PlanarRenderer renderer(device(), data, gpu_scene, light, camera, settings, MapSettings{24, 2, {}});
+        PlanarRenderer renderer(device(), data, gpu_scene, light, camera, MapKind::proxy, settings,
+                                MapSettings{24, 2, {}});
         Film film(device(), settings.width, settings.height, "test film");
         Progress progress;
         renderer.prepare(progress);

@@ -5,7 +5,7 @@
 #include "renderers/common/aov.h"
 #include "renderers/common/frame_camera.h"
 #include "renderers/common/light_cache.h"
-#include "renderers/reflection_map/map_preparation.h"
+#include "renderers/reflection_map/prepared_maps.h"
 #include "renderers/reflection_map/reflection_maps.h"
 #include "support/scenes.h"
 #include "support/test_device.h"

@@ -15,9 +15,12 @@
 #include "kernels/draw_image_curved_frag.h"
 #include "kernels/draw_image_depth_frag.h"
 #include "kernels/draw_image_depth_vert.h"
+#include "kernels/draw_image_hybrid_frag.h"
 #include "kernels/draw_image_mirror_frag.h"
 #include "kernels/draw_image_scene_frag.h"
 #include "kernels/draw_image_surroundings_frag.h"
+#include "kernels/draw_image_traced_mirror_frag.h"
+#include "kernels/draw_predicted_curved_vert.h"
 #include "kernels/draw_radiance_hybrid_reflector_frag.h"
 #include "kernels/draw_reflector_frag.h"
 #include "kernels/draw_reflectors_vert.h"
@@ -59,9 +62,12 @@ std::vector<ProductKernel> product_kernels() {
             {"draw_image_curved_frag", kernels::draw_image_curved_frag},
             {"draw_image_depth_frag", kernels::draw_image_depth_frag},
             {"draw_image_depth_vert", kernels::draw_image_depth_vert},
+            {"draw_image_hybrid_frag", kernels::draw_image_hybrid_frag},
             {"draw_image_mirror_frag", kernels::draw_image_mirror_frag},
             {"draw_image_scene_frag", kernels::draw_image_scene_frag},
             {"draw_image_surroundings_frag", kernels::draw_image_surroundings_frag},
+            {"draw_image_traced_mirror_frag", kernels::draw_image_traced_mirror_frag},
+            {"draw_predicted_curved_vert", kernels::draw_predicted_curved_vert},
             {"draw_radiance_hybrid_reflector_frag", kernels::draw_radiance_hybrid_reflector_frag},
             {"draw_reflector_frag", kernels::draw_reflector_frag},
             {"draw_reflectors_vert", kernels::draw_reflectors_vert},

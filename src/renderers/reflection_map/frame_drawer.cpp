@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/frame_drawer.h"
 
+#include "renderers/reflection_map/picture_pixels.h"
+
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/draw_depth_vert.h"
@@ -93,40 +95,16 @@ void FrameDrawer::draw_frame(const DrawSettings& settings, const glm::vec2& jitt
     device_.run("draw a frame", [&](const vk::raii::CommandBuffer& commands) { record(commands, view); });
 }
 
-std::vector<glm::vec4> FrameDrawer::drawn_pixels() const {
-    const std::uint32_t width = colour_.width();
-    const std::uint32_t height = colour_.height();
-    const std::uint32_t rows = std::min(height, rows_per_band(device_, width, sizeof(glm::vec4)));
-    const Buffer copied(device_, std::uint64_t{width} * rows * sizeof(glm::vec4), "rows of a frame");
-    std::vector<glm::vec4> pixels;
-    pixels.reserve(std::size_t{width} * height);
-    for (std::uint32_t first = 0; first < height; first += rows) {
-        const std::uint32_t count = std::min(rows, height - first);
-        device_.run("copy a frame", [&](const vk::raii::CommandBuffer& commands) {
-            colour_.copy_rows(commands, first, count, copied);
-        });
-        const auto band = copied.download_records<glm::vec4>(std::size_t{width} * count);
-        pixels.insert(pixels.end(), band.begin(), band.end());
-    }
-    return pixels;
-}
-
 Image FrameDrawer::frame() const {
     Image image(colour_.width(), colour_.height());
-    const std::vector<glm::vec4> pixels = drawn_pixels();
+    const std::vector<glm::vec4> pixels = picture_pixels(device_, colour_);
     std::transform(pixels.begin(), pixels.end(), image.pixels.begin(),
                    [](const glm::vec4& pixel) { return glm::vec3(pixel); });
     return image;
 }
 
 std::vector<float> FrameDrawer::traced_pixels() const {
-    const std::vector<glm::vec4> pixels = drawn_pixels();
-    std::vector<float> traced(pixels.size());
-    std::transform(pixels.begin(), pixels.end(), traced.begin(), [](const glm::vec4& pixel) {
-        if (pixel.w == interop::DRAWN_PLAIN) return -1.0f;
-        return pixel.w > interop::DRAWN_LOOKED_UP ? 1.0f : 0.0f;
-    });
-    return traced;
+    return traced_pixels_of(picture_pixels(device_, colour_));
 }
 
 FrameCounts FrameDrawer::add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,

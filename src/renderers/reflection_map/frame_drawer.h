@@ -66,8 +66,6 @@ class FrameDrawer {
                 const Specialization& specialization, const Bindings& bindings,
                 const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height);
     [[nodiscard]] interop::RasterPush view_of(const DrawSettings& settings) const;
-    /// The four channels of the picture that was drawn last, row-major, top row first.
-    [[nodiscard]] std::vector<glm::vec4> drawn_pixels() const;
     void record(const vk::raii::CommandBuffer& commands, const interop::RasterPush& view) const;
     [[nodiscard]] Bindings with_draw_list(Bindings bindings) const;
     std::vector<Batch> make_batches(const std::vector<DrawBatch>& planned,

@@ -10,9 +10,12 @@
 #include "kernels/draw_image_curved_frag.h"
 #include "kernels/draw_image_depth_frag.h"
 #include "kernels/draw_image_depth_vert.h"
+#include "kernels/draw_image_hybrid_frag.h"
 #include "kernels/draw_image_mirror_frag.h"
 #include "kernels/draw_image_scene_frag.h"
 #include "kernels/draw_image_surroundings_frag.h"
+#include "kernels/draw_image_traced_mirror_frag.h"
+#include "kernels/draw_predicted_curved_vert.h"
 #include "kernels/draw_scene_vert.h"
 #include "kernels/draw_surroundings_vert.h"
 
@@ -27,8 +30,13 @@ Specialization with_features(Specialization specialization, const SurfaceFeature
     return specialization;
 }
 
-Specialization with_proxy_maps(Specialization specialization, std::size_t faces) {
-    specialization[interop::SPEC_MAP_KIND] = interop::MAP_KIND_PROXY;
+/// Of what may be reflected: rays meet surfaces of all kinds.
+Specialization reflecting(const Specialization& specialization, const SurfaceFeatures& features,
+                          MapKind kind) {
+    return kind == MapKind::hybrid ? specialization : with_features(specialization, features);
+}
+
+Specialization with_faces(Specialization specialization, std::size_t faces) {
     specialization[interop::SPEC_FACE_COUNT] = static_cast<std::uint32_t>(faces);
     return specialization;
 }
@@ -36,12 +44,12 @@ Specialization with_proxy_maps(Specialization specialization, std::size_t faces)
 }  // namespace
 
 ImageDrawer::ImageDrawer(Device& device, const SceneData& data, const PlaneMirrors& mirrors,
-                         const Reflectors& curved, const std::vector<interop::MapFace>& faces,
+                         const Reflectors& curved, MapKind kind, const std::vector<interop::MapFace>& faces,
                          const Specialization& specialization, const Bindings& bindings)
-    : ImageDrawer(device, data, list_image_triangles(data, mirrors, curved), faces, specialization,
+    : ImageDrawer(device, data, list_image_triangles(data, mirrors, curved), kind, faces, specialization,
                   bindings) {}
 
-ImageDrawer::ImageDrawer(Device& device, const SceneData& data, ImageTriangles triangles,
+ImageDrawer::ImageDrawer(Device& device, const SceneData& data, ImageTriangles triangles, MapKind kind,
                          const std::vector<interop::MapFace>& faces, const Specialization& specialization,
                          const Bindings& bindings)
     : device_(device),
@@ -57,11 +65,17 @@ ImageDrawer::ImageDrawer(Device& device, const SceneData& data, ImageTriangles t
                        DepthTest::equal, with_features(specialization, batch.features), bindings),
              {batch.first, batch.count}});
     }
+    const bool traces = kind == MapKind::hybrid;
     if (triangles_.curved.count > 0) {
-        curved_.emplace(make_pass(
-            "draw_image_curved", kernels::draw_curved_vert, kernels::draw_image_curved_frag, DepthTest::equal,
-            with_proxy_maps(with_features(specialization, triangles_.curved_features), faces.size()),
-            bindings));
+        using Stage = std::span<const std::uint32_t>;
+        const Stage vertex =
+            traces ? Stage(kernels::draw_predicted_curved_vert) : Stage(kernels::draw_curved_vert);
+        const Stage fragment =
+            traces ? Stage(kernels::draw_image_hybrid_frag) : Stage(kernels::draw_image_curved_frag);
+        curved_.emplace(
+            make_pass("draw_image_curved", vertex, fragment, DepthTest::equal,
+                      with_faces(reflecting(specialization, triangles_.curved_features, kind), faces.size()),
+                      bindings));
     }
     if (triangles_.mirrors.empty()) return;
     image_depth_.emplace(make_pass("draw_image_depth", kernels::draw_image_depth_vert,
@@ -69,6 +83,11 @@ ImageDrawer::ImageDrawer(Device& device, const SceneData& data, ImageTriangles t
     mirrors_.emplace(make_pass("draw_image_mirror", kernels::draw_scene_vert, kernels::draw_image_mirror_frag,
                                DepthTest::equal, with_features(specialization, triangles_.mirror_features),
                                bindings));
+    if (traces) {
+        traced_mirrors_.emplace(make_pass("draw_image_traced_mirror", kernels::draw_scene_vert,
+                                          kernels::draw_image_traced_mirror_frag, DepthTest::equal,
+                                          specialization, bindings));
+    }
     if (!data.requirements.environment) return;
     surroundings_.emplace(make_pass("draw_image_surroundings", kernels::draw_surroundings_vert,
                                     kernels::draw_image_surroundings_frag, DepthTest::equal, specialization,
@@ -100,7 +119,8 @@ void ImageDrawer::warm_up(const vk::raii::CommandBuffer& commands) const {
     eye_depth_.pipeline.draw(commands, eye_depth_.bindings, nothing, 0, 1);
     for (const Batch& batch : batches_)
         batch.pass.pipeline.draw(commands, batch.pass.bindings, nothing, batch.range.first, 1);
-    for (const std::optional<Pass>* pass : {&curved_, &image_depth_, &mirrors_, &surroundings_}) {
+    for (const std::optional<Pass>* pass :
+         {&curved_, &image_depth_, &mirrors_, &traced_mirrors_, &surroundings_}) {
         if (*pass) (*pass)->pipeline.draw(commands, (*pass)->bindings, nothing, 0, 1);
     }
 }
@@ -153,8 +173,11 @@ void ImageDrawer::draw_mirrors(const vk::raii::CommandBuffer& commands, const Mi
         push.image.next = interop::IMAGE_TRUNCATED;
         if (shown != image.shown.end() && shown->mirror == mirror)
             push.image.next = interop::IMAGE_OF_EYE + (shown++)->image;
+        const bool is_traced = traced_mirrors_ && push.image.next == interop::IMAGE_TRUNCATED &&
+                               image.reflections < push.view.specular_depth;
+        const Pass& pass = is_traced ? *traced_mirrors_ : *mirrors_;
         const TriangleRange& range = triangles_.mirrors[mirror];
-        mirrors_->pipeline.draw(commands, mirrors_->bindings, push, range.first, range.count);
+        pass.pipeline.draw(commands, pass.bindings, push, range.first, range.count);
     }
 }
 

@@ -22,10 +22,12 @@ class ImageDrawer {
 
     /// @param bindings of scene, light cache, maps, and of what pixels showed before this image:
     /// BINDING_DRAWN, BINDING_THROUGHPUT
+    /// @param kind of the maps: proxy, or hybrid with a tolerance of place, which follows rays where maps are
+    /// not right enough and where a mirror's image is not drawn
     /// @param faces of the maps
     ImageDrawer(Device& device, const SceneData& data, const PlaneMirrors& mirrors, const Reflectors& curved,
-                const std::vector<interop::MapFace>& faces, const Specialization& specialization,
-                const Bindings& bindings);
+                MapKind kind, const std::vector<interop::MapFace>& faces,
+                const Specialization& specialization, const Bindings& bindings);
 
     /// Records a draw of one triangle by each pipeline, so that drivers compile them.
     void warm_up(const vk::raii::CommandBuffer& commands) const;
@@ -51,7 +53,7 @@ class ImageDrawer {
         Pass pass;
         TriangleRange range;
     };
-    ImageDrawer(Device& device, const SceneData& data, ImageTriangles triangles,
+    ImageDrawer(Device& device, const SceneData& data, ImageTriangles triangles, MapKind kind,
                 const std::vector<interop::MapFace>& faces, const Specialization& specialization,
                 const Bindings& bindings);
     [[nodiscard]] Bindings all_bindings(Bindings bindings) const;
@@ -72,6 +74,7 @@ class ImageDrawer {
     std::optional<Pass> curved_;  ///< like the others below only where the scene requires it
     std::optional<Pass> image_depth_;
     std::optional<Pass> mirrors_;
+    std::optional<Pass> traced_mirrors_;  ///< whose images are not drawn
     std::optional<Pass> surroundings_;
 };
 

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/common/light_cache.h"
-#include "renderers/reflection_map/distance_maps.h"
 #include "renderers/reflection_map/frame_drawer.h"
-#include "renderers/reflection_map/map_capture.h"
 #include "renderers/reflection_map/prediction_drawer.h"
-#include "renderers/reflection_map/radiance_bounds.h"
-#include "renderers/reflection_map/reflection_maps.h"
-#include "renderers/reflection_map/rough_maps.h"
+#include "renderers/reflection_map/prepared_maps.h"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace utsuri {
@@ -41,8 +35,8 @@ class MapRenderer : public Renderer {
     /// Of MapKind::hybrid only. Draws the present view: frame() is it afterwards.
     [[nodiscard]] std::vector<float> traced_pixels() override;
 
-    [[nodiscard]] const ReflectionMaps& maps() const { return maps_; }
-    [[nodiscard]] const RoughMaps& rough_maps() const { return rough_maps_; }
+    [[nodiscard]] const ReflectionMaps& maps() const { return prepared_.maps(); }
+    [[nodiscard]] const RoughMaps& rough_maps() const { return prepared_.rough_maps(); }
     /// None where nothing is reflective.
     [[nodiscard]] const ReflectorDrawer* reflectors() const { return reflectors_.get(); }
 
@@ -50,11 +44,9 @@ class MapRenderer : public Renderer {
     FrameCounts render(Film& film, std::uint32_t count, Progress& progress) override;
 
   private:
-    [[nodiscard]] Bindings drawing_bindings() const;
     [[nodiscard]] DrawSettings draw_settings() const;
     /// The pass over the reflectors' polygons for the present eye.
     double reflect();
-    [[nodiscard]] Specialization drawing_specialization() const;
     [[nodiscard]] interop::CameraInfo camera_info() const;
     [[nodiscard]] PredictionDrawer make_prediction_drawer();
     /// Up to what prediction no search is made, in pixels.
@@ -63,18 +55,12 @@ class MapRenderer : public Renderer {
     Device& device_;
     const SceneData& data_;
     const GpuScene& scene_;
-    FilledLight& filled_light_;
     Camera camera_;
     bool eye_moved_ = true;
     RenderSettings settings_;
     MapSettings map_settings_;
     MapKind kind_;
-    ReflectionMaps maps_;
-    std::optional<DistanceMaps> distances_;
-    std::optional<RadianceBounds> radiance_bounds_;
-    RoughMaps rough_maps_;
-    LightCache light_cache_;
-    MapCapture capture_;
+    PreparedMaps prepared_;
     std::unique_ptr<ReflectorDrawer> reflectors_;
     FrameDrawer drawer_;
 };

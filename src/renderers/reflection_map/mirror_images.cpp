@@ -117,7 +117,8 @@ class Planner {
 
 std::vector<MirrorImage> plan_mirror_images(const std::vector<PlaneMirror>& mirrors, const Camera& eye,
                                             std::uint32_t width, std::uint32_t height, double near_plane,
-                                            std::uint32_t most_reflections, std::uint32_t most_images) {
+                                            std::uint32_t most_reflections, std::uint64_t least_window,
+                                            std::uint32_t most_images) {
     const Planner planner(mirrors, width, height, near_plane);
     MirrorImage direct;
     direct.eye = eye;
@@ -129,7 +130,8 @@ std::vector<MirrorImage> plan_mirror_images(const std::vector<PlaneMirror>& mirr
         if (images[parent].reflections == most_reflections) continue;
         for (std::uint32_t mirror = 0; mirror < mirrors.size() && images.size() < most_images; ++mirror) {
             if (std::binary_search(unseen.begin(), unseen.end(), mirror)) continue;
-            if (auto image = planner.mirrored(images[parent], mirror)) {
+            auto image = planner.mirrored(images[parent], mirror);
+            if (image && std::uint64_t{image->window.width} * image->window.height >= least_window) {
                 images[parent].shown.push_back({mirror, static_cast<std::uint32_t>(images.size())});
                 images.push_back(std::move(*image));
             }

@@ -40,10 +40,11 @@ inline constexpr std::uint32_t kMostMirrorImages = 256;
 /// @param eye scene space
 /// @param near_plane nothing nearer is seen, > 0
 /// @param most_reflections deeper images are left out
+/// @param least_window likewise those that show in fewer pixels
 /// @param most_images likewise, those of the most reflections first; > 0
 std::vector<MirrorImage> plan_mirror_images(const std::vector<PlaneMirror>& mirrors, const Camera& eye,
                                             std::uint32_t width, std::uint32_t height, double near_plane,
-                                            std::uint32_t most_reflections,
+                                            std::uint32_t most_reflections, std::uint64_t least_window = 0,
                                             std::uint32_t most_images = kMostMirrorImages);
 
 }  // namespace utsuri

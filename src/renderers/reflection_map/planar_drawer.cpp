@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/planar_drawer.h"
 
+#include "renderers/reflection_map/picture_pixels.h"
+
 #include "interop/bindings.h"
 
 namespace utsuri {
@@ -13,7 +15,7 @@ std::uint64_t picture_bytes(std::uint32_t width, std::uint32_t height) {
 }  // namespace
 
 PlanarDrawer::PlanarDrawer(Device& device, const SceneData& data, const PlaneMirrors& mirrors,
-                           const Reflectors& curved, const std::vector<interop::MapFace>& faces,
+                           const Reflectors& curved, MapKind kind, const std::vector<interop::MapFace>& faces,
                            const Specialization& specialization, const Bindings& bindings,
                            std::uint32_t width, std::uint32_t height)
     : device_(drawing_device(device)),
@@ -25,7 +27,7 @@ PlanarDrawer::PlanarDrawer(Device& device, const SceneData& data, const PlaneMir
       drawn_before_(device, picture_bytes(width, height), "picture before an image"),
       throughput_before_(device, picture_bytes(width, height), "throughput before an image"),
       samples_(device, width, height, *bindings.at(interop::BINDING_MAP_STATES)),
-      drawer_(device, data, mirrors, curved, faces, specialization, with_pictures(bindings)) {}
+      drawer_(device, data, mirrors, curved, kind, faces, specialization, with_pictures(bindings)) {}
 
 Bindings PlanarDrawer::with_pictures(Bindings bindings) const {
     bindings[interop::BINDING_DRAWN] = &drawn_before_;
@@ -41,29 +43,36 @@ void PlanarDrawer::warm_up() {
     });
 }
 
-interop::RasterPush PlanarDrawer::view_of(std::uint32_t seed) const {
+interop::RasterPush PlanarDrawer::view_of(const ImageSettings& settings) const {
     interop::RasterPush view{};
     view.near_plane = near_plane_;
-    view.seed = seed;
+    view.seed = settings.seed;
+    view.specular_depth = settings.specular_depth;
+    view.tolerance = settings.tolerance;
     view.excluded_instance = interop::NONE;
     view.pixel = 1.0f / glm::vec2(colour_.width(), colour_.height());
     return view;
 }
 
-void PlanarDrawer::draw_frame(const std::vector<MirrorImage>& images, std::uint32_t seed,
+std::vector<glm::vec4> PlanarDrawer::pixels() const {
+    return picture_pixels(device_, colour_);
+}
+
+void PlanarDrawer::draw_frame(const std::vector<MirrorImage>& images, const ImageSettings& settings,
                               const glm::vec2& jitter) {
-    interop::RasterPush view = view_of(seed);
+    interop::RasterPush view = view_of(settings);
     view.jitter = jitter;
     device_.run("draw a frame",
                 [&](const vk::raii::CommandBuffer& commands) { draw(commands, images, view); });
 }
 
-FrameCounts PlanarDrawer::add_samples(Film& film, const std::vector<MirrorImage>& images, std::uint32_t seed,
-                                      std::uint32_t count, Progress& progress, const CompleteMaps& complete) {
+FrameCounts PlanarDrawer::add_samples(Film& film, const std::vector<MirrorImage>& images,
+                                      const ImageSettings& settings, std::uint32_t count, Progress& progress,
+                                      const CompleteMaps& complete) {
     const auto record = [&](const vk::raii::CommandBuffer& commands, const interop::RasterPush& push) {
         draw(commands, images, push);
     };
-    return samples_.add(film, view_of(seed), count, progress, colour_, record, complete);
+    return samples_.add(film, view_of(settings), count, progress, colour_, record, complete);
 }
 
 void PlanarDrawer::draw(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,

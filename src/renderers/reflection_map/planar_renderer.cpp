@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/planar_renderer.h"
 
-#include "renderers/reflection_map/map_preparation.h"
+#include "renderers/common/frame_camera.h"
+#include "renderers/reflection_map/picture_pixels.h"
+#include "renderers/reflection_map/prediction_drawer.h"
+#include "renderers/reflection_map/scene_triangles.h"
 
-#include "interop/specialization.h"
+#include "geometry/reference_intersection.h"
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace utsuri {
 namespace {
 
-Specialization with_proxy_maps(Specialization specialization) {
-    specialization[interop::SPEC_MAP_KIND] = whole_map_kind(MapKind::proxy);
-    return specialization;
-}
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+/// Triangles that are drawn in the time of one ray: an image whose window is smaller than its share of the
+/// scene's triangles costs more than rays through the window do. On lavapipe, where a traced pixel of the
+/// office takes 3.3 us and a triangle, its depth first, 0.4 us; a rough guess is good enough, as both are
+/// right.
+constexpr std::uint64_t kTrianglesPerRay = 8;
 
 /// Instances that take maps: those with a triangle that is reflective and in no plane.
 std::vector<std::uint32_t> curved_instances(const SceneData& data, const PlaneMirrors& mirrors) {
@@ -26,33 +36,53 @@ std::vector<std::uint32_t> curved_instances(const SceneData& data, const PlaneMi
     return instances;
 }
 
+/// Whether the eye sees a plane mirror at a pixel, by the state that lib/image_state.glsl describes.
+bool shows_plane_mirror(float state) {
+    return state < 0.0f || std::fmod(state, interop::DRAWN_RAY) >= interop::DRAWN_LOOKED_UP + 0.5f;
+}
+
+/// Whether it sees the mirror's image, whatever that shows.
+bool shows_image(float state) {
+    return state < 0.0f || std::fmod(state, interop::DRAWN_RAY) >= interop::DRAWN_LOOKED_UP + 1.0f;
+}
+
+/// How far the rays go that a plane mirror reflects from the centre of a pixel, metres; infinity where they
+/// meet nothing.
+float mirrored_distance(const SceneData& data, const interop::CameraInfo& camera, const glm::vec2& position) {
+    const glm::dvec3 eye = camera.origin;
+    const glm::dvec3 direction = camera.forward + position.x * camera.right + position.y * camera.up;
+    const double far = std::numeric_limits<double>::infinity();
+    const auto mirror = closest_hit_reference(data.bvh, eye, direction, far);
+    if (!mirror) return kInfinity;
+    const glm::dvec3 normal = glm::normalize(doubled_area(corners_of(data, mirror->triangle)));
+    const auto hit = closest_hit_reference(
+        data.bvh, eye + mirror->t * direction, glm::normalize(glm::reflect(direction, normal)), far,
+        [&](std::uint32_t triangle) { return triangle != mirror->triangle; });
+    return hit ? static_cast<float>(hit->t) : kInfinity;
+}
+
 }  // namespace
 
 PlanarRenderer::PlanarRenderer(Device& device, const SceneData& data, const GpuScene& scene,
-                               FilledLight& light, const Camera& camera, const RenderSettings& settings,
-                               const MapSettings& map_settings)
-    : data_(data),
+                               FilledLight& light, const Camera& camera, MapKind kind,
+                               const RenderSettings& settings, const MapSettings& map_settings)
+    : device_(device),
+      data_(data),
       scene_(scene),
-      filled_light_(light),
+      kind_(kind),
       settings_(settings),
+      map_settings_(map_settings),
       mirrors_(find_plane_mirrors(data)),
-      maps_(device, data, MapKind::proxy, map_settings, {camera, settings.width, settings.height},
-            curved_instances(data, mirrors_)),
-      rough_maps_(device, data, rough_map_settings(MapKind::proxy, map_settings)),
-      light_cache_(device, data, light.settings),
-      capture_(device, scene, light_cache_, maps_, settings, map_settings),
-      drawer_(device, data, mirrors_, maps_.reflectors(), maps_.faces(),
-              with_proxy_maps(with_proxies(maps_.specialise(scene.specialization()), maps_, rough_maps_)),
-              drawing_bindings(), settings.width, settings.height) {
+      prepared_(device, data, scene, light, camera, kind, settings, map_settings,
+                curved_instances(data, mirrors_)),
+      drawer_(device, data, mirrors_, prepared_.maps().reflectors(), kind, prepared_.maps().faces(),
+              prepared_.specialization(), prepared_.bindings(), settings.width, settings.height) {
     look_from(camera);
 }
 
-Bindings PlanarRenderer::drawing_bindings() const {
-    Bindings bindings = scene_.bindings();
-    bindings.merge(light_cache_.bindings());
-    bindings.merge(maps_.bindings());
-    bindings.merge(rough_maps_.bindings());
-    return bindings;
+ImageSettings PlanarRenderer::image_settings() const {
+    return {settings_.seed, std::min(settings_.specular_depth, scene_.specular_depth()),
+            static_cast<float>(map_settings_.tolerance.most)};
 }
 
 void PlanarRenderer::prepare(Progress& progress) {
@@ -60,10 +90,8 @@ void PlanarRenderer::prepare(Progress& progress) {
     drawer_.warm_up();
     statistics_.compile_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    prepare_light_and_surroundings(scene_, filled_light_, light_cache_, {&rough_maps_, nullptr, nullptr},
-                                   settings_, statistics_, progress);
-    capture_.prepare(
-        camera_, [&](const glm::vec2& jitter) { drawer_.draw_frame(images_, settings_.seed, jitter); },
+    prepared_.prepare(
+        camera_, [&](const glm::vec2& jitter) { drawer_.draw_frame(images_, image_settings(), jitter); },
         statistics_, progress);
 }
 
@@ -71,21 +99,89 @@ void PlanarRenderer::look_from(const Camera& camera) {
     camera_ = camera;
     Camera in_scene = camera;
     in_scene.position -= data_.origin;
-    images_ = plan_mirror_images(mirrors_.mirrors, in_scene, settings_.width, settings_.height,
-                                 static_cast<double>(drawer_.near_plane()), settings_.specular_depth);
+    const std::uint64_t least_window =
+        kind_ == MapKind::hybrid ? data_.bvh.triangles.size() / kTrianglesPerRay : 0;
+    images_ =
+        plan_mirror_images(mirrors_.mirrors, in_scene, settings_.width, settings_.height,
+                           static_cast<double>(drawer_.near_plane()), settings_.specular_depth, least_window);
 }
 
 bool PlanarRenderer::draw_frame() {
     const Progress silent;
     do {
-        drawer_.draw_frame(images_, settings_.seed, {0.5f, 0.5f});
-    } while (capture_.complete(statistics_, silent));
+        drawer_.draw_frame(images_, image_settings(), {0.5f, 0.5f});
+    } while (prepared_.complete(statistics_, silent));
     return true;
 }
 
 FrameCounts PlanarRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
-    return drawer_.add_samples(film, images_, settings_.seed, count, progress,
-                               [&] { return capture_.complete(statistics_, progress); });
+    return drawer_.add_samples(film, images_, image_settings(), count, progress,
+                               [&] { return prepared_.complete(statistics_, progress); });
+}
+
+template <typename Errors, typename Tell>
+std::vector<Errors> PlanarRenderer::find_errors(const Errors& of_image, const Errors& without_image,
+                                                Tell tell) {
+    std::vector<Errors> errors(std::size_t{settings_.width} * settings_.height, {-1.0f, -1.0f, -1.0f, -1.0f});
+    const ReflectionMaps& maps = prepared_.maps();
+    if (prepared_.has_distances()) {
+        const ReflectorDrawer curved(device_, data_, maps.reflectors(), kind_, maps.faces(), std::nullopt,
+                                     map_settings_.tolerance.of, prepared_.specialization(),
+                                     prepared_.bindings());
+        PredictionDrawer drawer(device_, data_, kind_, maps.faces().size(), prepared_.specialization(),
+                                prepared_.bindings(), curved, settings_.width, settings_.height);
+        errors = tell(drawer, make_camera_info(camera_, data_.origin, settings_.width, settings_.height));
+    }
+    draw_frame();
+    const std::vector<glm::vec4> pixels = drawer_.pixels();
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (shows_image(pixels[i].w)) {
+            errors[i] = of_image;
+        } else if (shows_plane_mirror(pixels[i].w)) {
+            errors[i] = without_image;
+        } else if (pixels[i].w == interop::DRAWN_PLAIN) {
+            errors[i] = {-1.0f, -1.0f, -1.0f, -1.0f};  // what is curved is behind it
+        }
+    }
+    return errors;
+}
+
+std::vector<PredictedError> PlanarRenderer::predict_errors() {
+    if (kind_ != MapKind::hybrid) return {};
+    const auto tolerance = static_cast<float>(map_settings_.tolerance.most);
+    return find_errors<PredictedError>({0.0f, 0.0f, 0.0f, 0.0f},
+                                       {std::numbers::pi_v<float>, 0.0f, 0.0f, kInfinity},
+                                       [&](PredictionDrawer& drawer, const interop::CameraInfo& camera) {
+                                           return drawer.predict(camera, tolerance);
+                                       });
+}
+
+std::vector<MeasuredError> PlanarRenderer::measure_errors() {
+    if (kind_ != MapKind::hybrid) return {};
+    const auto tolerance = static_cast<float>(map_settings_.tolerance.most);
+    constexpr MeasuredError kOfPlaneMirror = {0.0f, 0.0f, 0.0f, 1.0f};  // distances follow
+    std::vector<MeasuredError> errors = find_errors<MeasuredError>(
+        kOfPlaneMirror, kOfPlaneMirror, [&](PredictionDrawer& drawer, const interop::CameraInfo& camera) {
+            return drawer.measure(camera, tolerance);
+        });
+    const interop::CameraInfo camera =
+        make_camera_info(camera_, data_.origin, settings_.width, settings_.height);
+    const std::vector<glm::vec4> pixels = drawer_.pixels();
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (!shows_plane_mirror(pixels[i].w)) continue;
+        const glm::vec2 centre(static_cast<float>(i % settings_.width) + 0.5f,
+                               static_cast<float>(i / settings_.width) + 0.5f);
+        const glm::vec2 size(settings_.width, settings_.height);
+        errors[i].distance =
+            mirrored_distance(data_, camera, glm::vec2(2, -2) * centre / size + glm::vec2(-1, 1));
+    }
+    return errors;
+}
+
+std::vector<float> PlanarRenderer::traced_pixels() {
+    if (kind_ != MapKind::hybrid) return {};
+    draw_frame();
+    return traced_pixels_of(drawer_.pixels());
 }
 
 }  // namespace utsuri

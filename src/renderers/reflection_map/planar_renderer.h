@@ -1,26 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/common/light_cache.h"
-#include "renderers/reflection_map/map_capture.h"
 #include "renderers/reflection_map/planar_drawer.h"
-#include "renderers/reflection_map/reflection_maps.h"
-#include "renderers/reflection_map/rough_maps.h"
+#include "renderers/reflection_map/prepared_maps.h"
+
+#include <vector>
 
 namespace utsuri {
 
-/// Plane mirrors drawn with mirrored cameras, to a depth; what is reflective but not plane looks maps up as
-/// MapKind::proxy does. Everything is lit from light kept on surfaces.
+/// Plane mirrors drawn with mirrored cameras, to a depth; what is reflective but not plane looks maps up.
+/// Everything is lit from light kept on surfaces. With MapKind::hybrid, rays are followed where maps are not
+/// right enough, and where the image in a mirror would cost more than they do.
 class PlanarRenderer : public Renderer {
   public:
     /// `device`, `data`, `scene` and `light` must outlive this.
     /// @param light is filled by the first renderer that needs it
+    /// @param kind of the maps: proxy, or hybrid with a tolerance of place
     PlanarRenderer(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
-                   const Camera& camera, const RenderSettings& settings, const MapSettings& map_settings);
+                   const Camera& camera, MapKind kind, const RenderSettings& settings,
+                   const MapSettings& map_settings);
 
     void prepare(Progress& progress) override;
     void look_from(const Camera& camera) override;
     bool draw_frame() override;
+
+    /// Of MapKind::hybrid only. Plane mirrors show what rays would, and nothing off its place; what their
+    /// images do not show could be off by anything, were it not traced.
+    [[nodiscard]] std::vector<PredictedError> predict_errors() override;
+    [[nodiscard]] std::vector<MeasuredError> measure_errors() override;
+    [[nodiscard]] std::vector<float> traced_pixels() override;
 
     [[nodiscard]] const PlaneMirrors& mirrors() const { return mirrors_; }
     /// What a frame draws.
@@ -30,18 +38,20 @@ class PlanarRenderer : public Renderer {
     FrameCounts render(Film& film, std::uint32_t count, Progress& progress) override;
 
   private:
-    [[nodiscard]] Bindings drawing_bindings() const;
+    [[nodiscard]] ImageSettings image_settings() const;
+    /// Errors of what is curved, as `tell` tells them, and of plane mirrors.
+    template <typename Errors, typename Tell>
+    std::vector<Errors> find_errors(const Errors& of_image, const Errors& without_image, Tell tell);
 
+    Device& device_;
     const SceneData& data_;
     const GpuScene& scene_;
-    FilledLight& filled_light_;
     Camera camera_;
+    MapKind kind_;
     RenderSettings settings_;
+    MapSettings map_settings_;
     PlaneMirrors mirrors_;
-    ReflectionMaps maps_;
-    RoughMaps rough_maps_;
-    LightCache light_cache_;
-    MapCapture capture_;
+    PreparedMaps prepared_;
     PlanarDrawer drawer_;
     std::vector<MirrorImage> images_;
 };

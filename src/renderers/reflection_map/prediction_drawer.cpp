@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/prediction_drawer.h"
 
-#include "renderers/common/film.h"
 #include "renderers/reflection_map/draw_list.h"
-#include "renderers/reflection_map/frame_drawer.h"
+#include "renderers/reflection_map/drawn_samples.h"
+#include "renderers/reflection_map/picture_pixels.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
@@ -46,11 +46,6 @@ PredictionDrawer::PredictionDrawer(Device& device, const SceneData& data, MapKin
       near_plane_(near_plane(data)),
       colour_(device, width, height, kColourFormat, "errors of reflections"),
       depth_(device, width, height, kDepthFormat, "depth of errors of reflections"),
-      rows_(device,
-            std::uint64_t{width} * std::min(height, rows_per_band(device, width, sizeof(glm::vec4))) *
-                sizeof(glm::vec4),
-            "rows of errors"),
-      rows_per_copy_(std::min(height, rows_per_band(device, width, sizeof(glm::vec4)))),
       triangles_(make_buffer<std::uint32_t>(device, plan_draws(data).triangles, "draw list of errors")),
       triangle_count_(static_cast<std::uint32_t>(plan_draws(data).triangles.size())),
       polygons_(make_buffer<std::uint32_t>(device, numbers_below(reflectors.polygon_count()),
@@ -90,23 +85,13 @@ std::vector<glm::vec4> PredictionDrawer::draw(const Stage& stage, const interop:
     push.near_plane = near_plane_;
     push.tolerance = tolerance;
     push.pixel = 1.0f / glm::vec2(colour_.width(), colour_.height());
-    std::vector<glm::vec4> pixels;
-    pixels.reserve(std::size_t{colour_.width()} * colour_.height());
-    for (std::uint32_t first = 0; first < colour_.height(); first += rows_per_copy_) {
-        const std::uint32_t rows = std::min(rows_per_copy_, colour_.height() - first);
-        device_.run("draw errors of reflections", [&](const vk::raii::CommandBuffer& commands) {
-            if (first == 0) {
-                draw_into(commands, colour_, depth_, kNoMirror, [&] {
-                    depth_pass_.draw(commands, depth_bindings_, push, 0, triangle_count_);
-                    stage.pipeline.draw(commands, stage.bindings, push, 0, polygon_count_);
-                });
-            }
-            colour_.copy_rows(commands, first, rows, rows_);
+    device_.run("draw errors of reflections", [&](const vk::raii::CommandBuffer& commands) {
+        draw_into(commands, colour_, depth_, kNoMirror, [&] {
+            depth_pass_.draw(commands, depth_bindings_, push, 0, triangle_count_);
+            stage.pipeline.draw(commands, stage.bindings, push, 0, polygon_count_);
         });
-        const auto band = rows_.download_records<glm::vec4>(std::size_t{colour_.width()} * rows);
-        pixels.insert(pixels.end(), band.begin(), band.end());
-    }
-    return pixels;
+    });
+    return picture_pixels(device_, colour_);
 }
 
 std::vector<PredictedError> PredictionDrawer::predict(const interop::CameraInfo& camera, float tolerance) {

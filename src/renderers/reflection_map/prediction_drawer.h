@@ -46,8 +46,6 @@ class PredictionDrawer {
     float near_plane_;
     Attachment colour_;
     Attachment depth_;
-    Buffer rows_;
-    std::uint32_t rows_per_copy_;
     Buffer triangles_;
     std::uint32_t triangle_count_;
     Buffer polygons_;

@@ -27,7 +27,7 @@ PlaneMirror rectangle(const glm::dvec3& corner, const glm::dvec3& u, const glm::
 
 std::vector<MirrorImage> images_of(const std::vector<PlaneMirror>& mirrors, const Camera& eye,
                                    std::uint32_t reflections, std::uint32_t most = kMostMirrorImages) {
-    return plan_mirror_images(mirrors, eye, kSize, kSize, kNear, reflections, most);
+    return plan_mirror_images(mirrors, eye, kSize, kSize, kNear, reflections, 0, most);
 }
 
 /// A mirror of 2 m by 2 m in z = 0.

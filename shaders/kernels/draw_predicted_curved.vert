@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The corners of listed triangles that reflect like curved mirrors, with the maps they look up and how curved they are.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "kernels/scene_bindings.glsl"
+#include "interop/light_cache.h"
+#include "interop/raster.h"
+#include "lib/surface.glsl"
+#include "kernels/drawn_list.glsl"
+#include "kernels/drawn_triangle.glsl"
+#include "kernels/drawn_curvature.glsl"
+#include "kernels/drawn_vertex.glsl"
+#include "kernels/listed_reflector.glsl"
+#include "kernels/edge_curvature.glsl"
+
+void main() {
+    set_listed_reflector();
+    drawn_curvature = least_curvature(drawn_ids.x);
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The corners of listed triangles of reflectors.
+
+layout(scalar, binding = BINDING_LISTED_REFLECTORS) readonly restrict buffer ListedReflectors {
+    uint listed_reflectors[];
+};
+
+void set_listed_reflector() {
+    uint corner = uint(gl_VertexIndex) % 3u;
+    set_drawn_triangle(listed_triangle(), vec2(corner == 1u, corner == 2u));
+    drawn_ids.w = listed_reflectors[uint(gl_VertexIndex) / 3u];
+    drawn_from_eye = listed_corner() - push.camera.origin;
+    gl_Position = project(drawn_from_eye);
+}

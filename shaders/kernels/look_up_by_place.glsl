@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+// Right enough is what is predicted to be less pixels off its place than the tolerance. Comes after drawn_prediction.glsl.
+
+bool look_up(Surface surface, vec3 wo, out vec3 radiance) {
+    DrawnReflection reflection;
+    if (!find_within_tolerance(surface, wo, reflection)) return false;
+    radiance = polygon_map(reflection.probe, seen_along(reflection.ray, reflection.interval.guess));
+    return true;
+}

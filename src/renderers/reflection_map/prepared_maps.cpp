@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection_map/prepared_maps.h"
+
+#include "renderers/reflection_map/reflector_drawer.h"
+
+#include "interop/specialization.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace utsuri {
+namespace {
+
+/// Whether it is told how bright reflections can be.
+bool bounds_radiance(MapKind kind, const MapSettings& settings) {
+    return kind == MapKind::hybrid && settings.tolerance.of == Tolerance::Of::radiance;
+}
+
+std::optional<DistanceMaps> make_distances(Device& device, const SceneData& data, const ReflectionMaps& maps,
+                                           MapKind kind, const MapSettings& settings) {
+    if (maps.infos().empty() || (!keeps_distances(kind) && !settings.predicts_errors)) return std::nullopt;
+    return std::make_optional<DistanceMaps>(
+        device, data, maps.instances(), maps.infos(), DistanceMaps::size_for(maps.largest_size()),
+        bounds_radiance(kind, settings) ? Tolerance::Of::radiance : Tolerance::Of::place);
+}
+
+std::optional<RadianceBounds> make_radiance_bounds(Device& device, const ReflectionMaps& maps, MapKind kind,
+                                                   const MapSettings& settings) {
+    if (maps.infos().empty() || !bounds_radiance(kind, settings)) return std::nullopt;
+    return std::make_optional<RadianceBounds>(device, maps.instances(), maps.infos(),
+                                              DistanceMaps::size_for(maps.largest_size()));
+}
+
+}  // namespace
+
+RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps) {
+    const bool uses_proxies = kind == MapKind::proxy || keeps_distances(kind);
+    // Of lobes only the sharpest would see finer maps than that.
+    const std::uint32_t size = maps.fitted ? std::min(maps.size, MapSettings().size) : maps.size;
+    return {size, maps.samples, maps.capture_point, uses_proxies, maps.proxy};
+}
+
+PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
+                           const Camera& eye, MapKind kind, const RenderSettings& settings,
+                           const MapSettings& map_settings, const std::vector<std::uint32_t>& instances)
+    : scene_(scene),
+      filled_light_(light),
+      settings_(settings),
+      kind_(kind),
+      maps_(device, data, kind, map_settings, {eye, settings.width, settings.height}, instances),
+      distances_(make_distances(device, data, maps_, kind, map_settings)),
+      radiance_bounds_(make_radiance_bounds(device, maps_, kind, map_settings)),
+      rough_maps_(device, data, rough_map_settings(kind, map_settings)),
+      light_cache_(device, data, light.settings),
+      capture_(device, scene, light_cache_, maps_, settings, map_settings) {}
+
+void PreparedMaps::prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
+                           RenderStatistics& statistics, Progress& progress) {
+    FrameCounts& counts = statistics.prepare_counts;
+    light_cache_.fill(scene_, settings_.seed, filled_light_, progress);
+    statistics.prepare_seconds += filled_light_.seconds;
+    statistics.compile_seconds += filled_light_.compile_seconds;
+    accumulate(counts, filled_light_.counts);
+
+    const auto start = std::chrono::steady_clock::now();
+    double compile_seconds = 0.0;
+    accumulate(counts, rough_maps_.capture(scene_, light_cache_, settings_, compile_seconds, progress));
+    if (distances_) accumulate(counts, distances_->capture(scene_, compile_seconds, progress));
+    if (radiance_bounds_)
+        accumulate(counts, radiance_bounds_->capture(scene_, light_cache_, compile_seconds, progress));
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    statistics.prepare_seconds += seconds - compile_seconds;
+    statistics.compile_seconds += compile_seconds;
+    capture_.prepare(eye, draw, statistics, progress);
+}
+
+Bindings PreparedMaps::bindings() const {
+    Bindings bindings = scene_.bindings();
+    bindings.merge(light_cache_.bindings());
+    bindings.merge(maps_.bindings());
+    bindings.merge(rough_maps_.bindings());
+    if (distances_) bindings.merge(distances_->bindings());
+    if (radiance_bounds_) bindings.merge(radiance_bounds_->bindings());
+    return bindings;
+}
+
+Specialization PreparedMaps::specialization() const {
+    Specialization specialization = maps_.specialise(scene_.specialization());
+    const bool has_planes = !maps_.proxy_planes().empty() || !rough_maps_.proxy_planes().empty();
+    specialization[interop::SPEC_HAS_PROXY_PLANES] = has_planes ? 1 : 0;
+    specialization[interop::SPEC_MAP_KIND] = whole_map_kind(kind_);
+    if (distances_) specialization[interop::SPEC_DISTANCE_SIZE] = distances_->size();
+    return specialization;
+}
+
+}  // namespace utsuri
