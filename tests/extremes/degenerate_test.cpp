@@ -17,21 +17,34 @@ constexpr RenderSettings kSettings{16, 12, 1, 8};
 class Degenerate : public DeviceTest {
   protected:
     /// Renders by all methods; pixels must be finite and no sample may be left out.
-    void render_all(const Scene& scene, const Camera& camera, RenderSettings settings = kSettings) {
-        check(trace(device(), scene, camera, settings, 2), "trace");
-        const MapSettings maps{4, 1, {}};
-        for (const MapKind kind : kMapKinds) {
-            SCOPED_TRACE(testing::Message() << "kind of map " << static_cast<int>(kind));
-            check(render_with_maps(device(), scene, camera, settings, kind, maps, 2), "mapped");
+    /// @param eyes that the scene is seen from, at least one; it is prepared for the first
+    void render_all(const Scene& scene, const std::vector<Camera>& eyes,
+                    RenderSettings settings = kSettings) {
+        for (const Camera& eye : eyes) {
+            const Traced traced = trace(device(), scene, eye, settings, 2);
+            EXPECT_EQ(traced.statistics.counts.nonfinite, 0u);
+            check(traced.image);
+        }
+        DrawnScene drawn(device(), scene);
+        for (const DrawnMethod& method : drawn_methods()) {
+            SCOPED_TRACE(method);
+            const auto renderer = drawn.renderer(method, eyes.front(), settings, MapSettings{4, 1, {}});
+            Progress progress;
+            renderer->prepare(progress);
+            for (const Camera& eye : eyes) {
+                renderer->look_from(eye);
+                Film film(device(), settings.width, settings.height, "film");
+                renderer->add_samples(film, 2, progress);
+                check(film.resolve());
+            }
+            const RenderStatistics& statistics = renderer->statistics();
+            EXPECT_EQ(statistics.counts.nonfinite + statistics.prepare_counts.nonfinite, 0u);
         }
     }
 
-    static void check(const Traced& result, const char* method) {
-        EXPECT_EQ(result.statistics.counts.nonfinite + result.statistics.prepare_counts.nonfinite, 0u)
-            << method;
-        for (const glm::vec3& pixel : result.image.pixels) {
-            ASSERT_TRUE(std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z)) << method;
-        }
+    static void check(const Image& image) {
+        for (const glm::vec3& pixel : image.pixels)
+            ASSERT_TRUE(std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z));
     }
 };
 
@@ -39,7 +52,7 @@ TEST_F(Degenerate, EmptySceneShowsTheSurroundings) {
     Scene scene;
     scene.environment = glm::vec3(1, 2, 3);
     const Camera camera = look_at(glm::dvec3(0), glm::dvec3(0, 0, -1));
-    render_all(scene, camera);
+    render_all(scene, {camera});
     EXPECT_THAT(trace(device(), scene, camera, kSettings, 3).image.pixels, testing::Each(glm::vec3(1, 2, 3)));
 }
 
@@ -47,7 +60,7 @@ TEST_F(Degenerate, SceneWithoutLightIsBlack) {
     Scene scene;
     add(scene, icosphere(glm::vec3(0), 1.0f, 1), mirror());
     const Camera camera = look_at(glm::dvec3(0, 0, 5), glm::dvec3(0));
-    render_all(scene, camera);
+    render_all(scene, {camera});
     EXPECT_THAT(trace(device(), scene, camera, kSettings, 2).image.pixels, testing::Each(glm::vec3(0.0f)));
 }
 
@@ -57,7 +70,7 @@ TEST_F(Degenerate, OneTriangle) {
     mesh.triangles.resize(1);
     add(scene, mesh, lambert(glm::vec3(0.5f)));
     scene.environment = glm::vec3(1.0f);
-    render_all(scene, look_at(glm::dvec3(0, 0, 3), glm::dvec3(0)));
+    render_all(scene, {look_at(glm::dvec3(0, 0, 3), glm::dvec3(0))});
 }
 
 TEST_F(Degenerate, ZeroAreaTrianglesAreNeverHit) {
@@ -69,7 +82,7 @@ TEST_F(Degenerate, ZeroAreaTrianglesAreNeverHit) {
     add(scene, mesh, emitter(glm::vec3(100.0f)));
     scene.environment = glm::vec3(1.0f);
     const Camera camera = look_at(glm::dvec3(0, 0, 3), glm::dvec3(0));
-    render_all(scene, camera);
+    render_all(scene, {camera});
     EXPECT_THAT(trace(device(), scene, camera, kSettings, 4).image.pixels, testing::Each(glm::vec3(1.0f)));
 }
 
@@ -82,23 +95,22 @@ TEST_F(Degenerate, CoincidentTrianglesHaveAStableWinner) {
     const Camera camera = look_at(glm::dvec3(0, 0, 3), glm::dvec3(0));
     const Image first = trace(device(), scene, camera, kSettings, 1).image;
     EXPECT_TRUE(trace(device(), scene, camera, kSettings, 1).image.pixels == first.pixels);
-    render_all(scene, camera);
+    render_all(scene, {camera});
 }
 
 TEST_F(Degenerate, PicturesOfOnePixelEdges) {
     for (const glm::uvec2 size : {glm::uvec2(1, 1), glm::uvec2(1, 67), glm::uvec2(67, 1), glm::uvec2(9, 7)}) {
-        render_all(everything_scene(), everything_camera(), {size.x, size.y, 0, 2});
+        render_all(everything_scene(), {everything_camera()}, {size.x, size.y, 0, 2});
     }
 }
 
 TEST_F(Degenerate, EyeOnASurfaceInAVertexAndInsideTheBall) {
-    const Scene scene = everything_scene();
-    render_all(scene, look_at(glm::dvec3(0, 0, 0), glm::dvec3(0, 1, -1)));     // on the floor
-    render_all(scene, look_at(glm::dvec3(-2, 0, -2.5), glm::dvec3(0, 1, 0)));  // in a corner of the room
-    render_all(scene,
-               look_at(glm::dvec3(-0.6, 0.5, -0.5), glm::dvec3(1, 0.5, 0.1)));  // at the mirror ball's centre
-    render_all(scene,
-               look_at(glm::dvec3(0, 1, -2.45), glm::dvec3(0.5, 1, -2.45)));  // in the plane of the mirror
+    const std::vector<Camera> eyes = {
+        look_at(glm::dvec3(0, 0, 0), glm::dvec3(0, 1, -1)),             // on the floor
+        look_at(glm::dvec3(-2, 0, -2.5), glm::dvec3(0, 1, 0)),          // in a corner of the room
+        look_at(glm::dvec3(-0.6, 0.5, -0.5), glm::dvec3(1, 0.5, 0.1)),  // at the mirror ball's centre
+        look_at(glm::dvec3(0, 1, -2.45), glm::dvec3(0.5, 1, -2.45))};   // in the plane of the mirror
+    render_all(everything_scene(), eyes);
 }
 
 TEST_F(Degenerate, VertexNormalsThatCancelOrPointInside) {
@@ -108,14 +120,14 @@ TEST_F(Degenerate, VertexNormalsThatCancelOrPointInside) {
         for (std::size_t i = 0; i < normals.size(); ++i)
             normals[i] *= i % 2 == 0 ? 1.0f : -1.0f;
     }
-    render_all(scene, everything_camera());
+    render_all(scene, {everything_camera()});
 }
 
 TEST_F(Degenerate, LightInASurfaceAndAtTheEye) {
     Scene scene = everything_scene();
     scene.lights[0].position = glm::dvec3(0.0, 0.0, 0.0);
     scene.lights[1].position = everything_camera().position;
-    render_all(scene, everything_camera());
+    render_all(scene, {everything_camera()});
 }
 
 TEST_F(Degenerate, HugeGroundAndTinyObject) {
@@ -124,7 +136,7 @@ TEST_F(Degenerate, HugeGroundAndTinyObject) {
         lambert(glm::vec3(0.5f)));
     add(scene, icosphere(glm::vec3(0, 1e-3f, 0), 1e-3f, 2), mirror());
     scene.environment = glm::vec3(1.0f);
-    render_all(scene, look_at(glm::dvec3(0, 2e-3, 1e-2), glm::dvec3(0, 1e-3, 0)));
+    render_all(scene, {look_at(glm::dvec3(0, 2e-3, 1e-2), glm::dvec3(0, 1e-3, 0))});
 }
 
 // Triangles without area reflect nothing, straddle nothing and move no capture point.
@@ -137,11 +149,12 @@ TEST_F(Degenerate, MirrorWithZeroAreaTrianglesLooksTheSame) {
     triangles.insert(triangles.begin() + 7, {{0, 0, 0}, {3, 3, 5}, {4, 6, 4}});
     triangles.insert(triangles.end(), {{1, 2, 2}, {2, 1, 1}});
     const Camera camera = look_at(glm::dvec3(0.3, 1.2, 2.5), glm::dvec3(0.1, 0.2, 0.0), 0.7);
-    for (const MapKind kind : kMapKinds) {
-        const MapSettings maps{16, 2, {}};
-        const Image clean = render_with_maps(device(), scene, camera, kSettings, kind, maps, 2).image;
-        const Image image = render_with_maps(device(), worn, camera, kSettings, kind, maps, 2).image;
-        EXPECT_TRUE(image.pixels == clean.pixels) << "kind of map " << static_cast<int>(kind);
+    DrawnScene clean(device(), scene);
+    DrawnScene with_worn(device(), worn);
+    const MapSettings maps{16, 2, {}};
+    for (const DrawnMethod& method : drawn_methods()) {
+        const Image image = with_worn.render(method, camera, kSettings, maps, 2).image;
+        EXPECT_TRUE(image.pixels == clean.render(method, camera, kSettings, maps, 2).image.pixels) << method;
     }
 }
 
@@ -155,9 +168,10 @@ TEST_F(Degenerate, EyeInThePlaneOfTheMirrorDoesNotSeeIt) {
     const Image drawn = render_with_maps(device(), scene, camera, kSettings, MapKind::cube, maps, 2).image;
     add(scene, quad(glm::vec3(2, 0.5f, 0.5f), glm::vec3(0, 2, 0), glm::vec3(0, 0, 1.5f)), mirror());
     EXPECT_TRUE(trace(device(), scene, camera, kSettings, 2).image.pixels == bare.pixels);
-    for (const MapKind kind : kMapKinds) {
-        const Image image = render_with_maps(device(), scene, camera, kSettings, kind, maps, 2).image;
-        EXPECT_TRUE(image.pixels == drawn.pixels) << "kind of map " << static_cast<int>(kind);
+    DrawnScene with_mirror(device(), scene);
+    for (const DrawnMethod& method : drawn_methods()) {
+        const Image image = with_mirror.render(method, camera, kSettings, maps, 2).image;
+        EXPECT_TRUE(image.pixels == drawn.pixels) << method;
     }
 }
 

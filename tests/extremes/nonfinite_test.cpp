@@ -32,10 +32,9 @@ class Nonfinite : public DeviceTest {
 TEST_F(Nonfinite, SamplesAreCountedAndLeftOut) {
     const Scene scene = surroundings(std::numeric_limits<float>::infinity());
     expect_all_counted(trace(device(), scene, camera_, kSettings, kSamples));
-    for (const MapKind kind : kMapKinds) {
-        expect_all_counted(
-            render_with_maps(device(), scene, camera_, kSettings, kind, MapSettings{4, 1, {}}, kSamples));
-    }
+    DrawnScene drawn(device(), scene);
+    for (const DrawnMethod& method : drawn_methods())
+        expect_all_counted(drawn.render(method, camera_, kSettings, MapSettings{4, 1, {}}, kSamples));
 }
 
 TEST_F(Nonfinite, LargeSamplesAreNot) {

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <map>
 
 namespace utsuri::test {
 namespace {
@@ -46,16 +47,16 @@ TEST_F(Scale, TracedPictureIsTheSameBits) {
 
 TEST_F(Scale, MappedPicturesAreTheSameBits) {
     const MapSettings maps{24, 2, {}, 3};
-    for (const MapKind kind : kMapKinds) {
-        const Image original =
-            render_with_maps(device(), everything_scene(), everything_camera(), kSettings, kind, maps, 2)
-                .image;
-        for (const int k : {-20, 20}) {
-            const double factor = std::ldexp(1.0, k);
-            const Image image = render_with_maps(device(), scaled(everything_scene(), factor),
-                                                 scaled_camera(factor), kSettings, kind, maps, 2)
-                                    .image;
-            EXPECT_TRUE(image.pixels == original.pixels) << "k = " << k;
+    DrawnScene original(device(), everything_scene());
+    std::map<int, DrawnScene> others;
+    for (const int k : {-20, 20})
+        others.try_emplace(k, device(), scaled(everything_scene(), std::ldexp(1.0, k)));
+    for (const DrawnMethod& method : drawn_methods()) {
+        const Image expected = original.render(method, everything_camera(), kSettings, maps, 2).image;
+        for (auto& [k, scene] : others) {
+            const Camera camera = scaled_camera(std::ldexp(1.0, k));
+            EXPECT_TRUE(scene.render(method, camera, kSettings, maps, 2).image.pixels == expected.pixels)
+                << method << ", k = " << k;
         }
     }
 }
@@ -85,18 +86,19 @@ TEST_F(Scale, LightTimesAPowerOfTwoScalesThePictureExactly) {
 
 TEST_F(Scale, LightTimesAPowerOfTwoScalesMappedPicturesExactly) {
     const MapSettings maps{16, 2, {}};
-    for (const MapKind kind : kMapKinds) {
-        const Image original =
-            render_with_maps(device(), everything_scene(), everything_camera(), kSettings, kind, maps, 1)
-                .image;
-        for (const int k : {-33, 40}) {
-            const float factor = std::ldexp(1.0f, k);
-            const Traced result = render_with_maps(device(), brighter(everything_scene(), factor),
-                                                   everything_camera(), kSettings, kind, maps, 1);
+    const Camera camera = everything_camera();
+    DrawnScene original(device(), everything_scene());
+    std::map<int, DrawnScene> others;
+    for (const int k : {-33, 40})
+        others.try_emplace(k, device(), brighter(everything_scene(), std::ldexp(1.0f, k)));
+    for (const DrawnMethod& method : drawn_methods()) {
+        const Image expected = original.render(method, camera, kSettings, maps, 1).image;
+        for (auto& [k, scene] : others) {
+            const Traced result = scene.render(method, camera, kSettings, maps, 1);
             EXPECT_EQ(result.statistics.counts.nonfinite + result.statistics.prepare_counts.nonfinite, 0u);
-            for (std::size_t i = 0; i < original.pixels.size(); ++i) {
-                ASSERT_EQ(result.image.pixels[i], original.pixels[i] * factor)
-                    << "kind of map " << static_cast<int>(kind) << ", k = " << k << ", pixel " << i;
+            for (std::size_t i = 0; i < expected.pixels.size(); ++i) {
+                ASSERT_EQ(result.image.pixels[i], expected.pixels[i] * std::ldexp(1.0f, k))
+                    << method << ", k = " << k << ", pixel " << i;
             }
         }
     }

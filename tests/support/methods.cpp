@@ -21,19 +21,47 @@ Texture checker() {
 
 }  // namespace
 
-Traced render_with_maps(Device& device, const Scene& scene, const Camera& camera,
-                        const RenderSettings& settings, MapKind kind, const MapSettings& maps,
-                        std::uint32_t samples) {
-    const SceneData data = prepare_scene_data(scene);
-    const GpuScene gpu_scene(device, data);
-    FilledLight light;
-    light.settings = {1.0 / 60.0, 4};  // coarse: what matters here is not how diffuse surfaces look
-    MapRenderer renderer(device, data, gpu_scene, light, camera, kind, settings, maps);
-    Film film(device, settings.width, settings.height, "test film");
+std::ostream& operator<<(std::ostream& stream, const DrawnMethod& method) {
+    return stream << "kind of map " << static_cast<int>(method.kind)
+                  << (method.draws_images ? " with images in plane mirrors" : "");
+}
+
+std::vector<DrawnMethod> drawn_methods() {
+    std::vector<DrawnMethod> methods(std::begin(kMapKinds), std::end(kMapKinds));
+    for (const MapKind kind : {MapKind::proxy, MapKind::hybrid})
+        methods.emplace_back(kind, true);
+    return methods;
+}
+
+DrawnScene::DrawnScene(Device& device, const Scene& scene)
+    : device_(device), data_(prepare_scene_data(scene)), gpu_scene_(device, data_) {
+    light_.settings = {1.0 / 60.0, 4};
+}
+
+std::unique_ptr<Renderer> DrawnScene::renderer(const DrawnMethod& method, const Camera& camera,
+                                               const RenderSettings& settings, const MapSettings& maps) {
+    if (method.draws_images) {
+        return std::make_unique<PlanarRenderer>(device_, data_, gpu_scene_, light_, camera, method.kind,
+                                                settings, maps);
+    }
+    return std::make_unique<MapRenderer>(device_, data_, gpu_scene_, light_, camera, method.kind, settings,
+                                         maps);
+}
+
+Traced DrawnScene::render(const DrawnMethod& method, const Camera& camera, const RenderSettings& settings,
+                          const MapSettings& maps, std::uint32_t samples) {
+    const std::unique_ptr<Renderer> made = renderer(method, camera, settings, maps);
+    Film film(device_, settings.width, settings.height, "test film");
     Progress progress;
-    renderer.prepare(progress);
-    renderer.add_samples(film, samples, progress);
-    return {film.resolve(), renderer.statistics()};
+    made->prepare(progress);
+    made->add_samples(film, samples, progress);
+    return {film.resolve(), made->statistics()};
+}
+
+Traced render_with_maps(Device& device, const Scene& scene, const Camera& camera,
+                        const RenderSettings& settings, const DrawnMethod& method, const MapSettings& maps,
+                        std::uint32_t samples) {
+    return DrawnScene(device, scene).render(method, camera, settings, maps, samples);
 }
 
 Scene everything_scene() {

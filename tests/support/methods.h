@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderers/reflection_map/map_renderer.h"
+#include "renderers/reflection_map/planar_renderer.h"
 #include "support/scenes.h"
 
 namespace utsuri::test {
@@ -10,9 +11,40 @@ namespace utsuri::test {
 inline constexpr MapKind kMapKinds[] = {MapKind::polygon, MapKind::sphere,   MapKind::cube,
                                         MapKind::proxy,   MapKind::distance, MapKind::hybrid};
 
-/// Renders a method that looks reflections up in maps.
+/// A method that draws: how it looks reflections up, and whether it draws what plane mirrors show.
+struct DrawnMethod {
+    MapKind kind;
+    bool draws_images = false;
+
+    DrawnMethod(MapKind k, bool images = false) : kind(k), draws_images(images) {}
+};
+std::ostream& operator<<(std::ostream& stream, const DrawnMethod& method);
+
+/// All of them.
+std::vector<DrawnMethod> drawn_methods();
+
+/// A scene on the device with light for all methods: coarse, where it does not matter how diffuse surfaces
+/// look.
+class DrawnScene {
+  public:
+    DrawnScene(Device& device, const Scene& scene);
+
+    [[nodiscard]] std::unique_ptr<Renderer> renderer(const DrawnMethod& method, const Camera& camera,
+                                                     const RenderSettings& settings, const MapSettings& maps);
+    /// @param samples of each pixel
+    Traced render(const DrawnMethod& method, const Camera& camera, const RenderSettings& settings,
+                  const MapSettings& maps, std::uint32_t samples);
+
+  private:
+    Device& device_;
+    SceneData data_;
+    GpuScene gpu_scene_;
+    FilledLight light_;
+};
+
+/// One picture of a scene: see DrawnScene.
 Traced render_with_maps(Device& device, const Scene& scene, const Camera& camera,
-                        const RenderSettings& settings, MapKind kind, const MapSettings& maps,
+                        const RenderSettings& settings, const DrawnMethod& method, const MapSettings& maps,
                         std::uint32_t samples);
 
 /// A room of textured and plain walls with an emissive panel, a point, a spot and a directional light, a
