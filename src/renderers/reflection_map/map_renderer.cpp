@@ -97,11 +97,14 @@ FrameCounts MapRenderer::render(Film& film, std::uint32_t count, Progress& progr
     return counts;
 }
 
-PredictionDrawer MapRenderer::make_prediction_drawer() {
+PredictionDrawer& MapRenderer::prediction_drawer() {
     UTSURI_CHECK(prepared_.has_distances());
     if (eye_moved_) reflect();
-    return PredictionDrawer(device_, data_, kind_, maps().faces().size(), prepared_.specialization(),
-                            prepared_.bindings(), *reflectors_, settings_.width, settings_.height);
+    if (!prediction_drawer_) {
+        prediction_drawer_.emplace(device_, data_, kind_, maps().faces().size(), prepared_.specialization(),
+                                   prepared_.bindings(), *reflectors_, settings_.width, settings_.height);
+    }
+    return *prediction_drawer_;
 }
 
 float MapRenderer::searching_tolerance() const {
@@ -112,12 +115,12 @@ float MapRenderer::searching_tolerance() const {
 
 std::vector<PredictedError> MapRenderer::predict_errors() {
     if (!reflectors_) return no_mirrors<PredictedError>(settings_);
-    return make_prediction_drawer().predict(camera_info(), searching_tolerance());
+    return prediction_drawer().predict(camera_info(), searching_tolerance());
 }
 
 std::vector<MeasuredError> MapRenderer::measure_errors() {
     if (!reflectors_) return no_mirrors<MeasuredError>(settings_);
-    return make_prediction_drawer().measure(camera_info(), searching_tolerance());
+    return prediction_drawer().measure(camera_info(), searching_tolerance());
 }
 
 std::vector<float> MapRenderer::traced_pixels() {

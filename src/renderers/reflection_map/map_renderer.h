@@ -6,6 +6,7 @@
 #include "renderers/reflection_map/prepared_maps.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace utsuri {
@@ -48,7 +49,8 @@ class MapRenderer : public Renderer {
     /// The pass over the reflectors' polygons for the present eye.
     double reflect();
     [[nodiscard]] interop::CameraInfo camera_info() const;
-    [[nodiscard]] PredictionDrawer make_prediction_drawer();
+    /// Made when it is first needed.
+    PredictionDrawer& prediction_drawer();
     /// Up to what prediction no search is made, in pixels.
     [[nodiscard]] float searching_tolerance() const;
 
@@ -63,6 +65,7 @@ class MapRenderer : public Renderer {
     PreparedMaps prepared_;
     std::unique_ptr<ReflectorDrawer> reflectors_;
     FrameDrawer drawer_;
+    std::optional<PredictionDrawer> prediction_drawer_;
 };
 
 }  // namespace utsuri

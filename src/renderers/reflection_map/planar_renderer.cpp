@@ -3,7 +3,6 @@
 
 #include "renderers/common/frame_camera.h"
 #include "renderers/reflection_map/picture_pixels.h"
-#include "renderers/reflection_map/prediction_drawer.h"
 #include "renderers/reflection_map/scene_triangles.h"
 
 #include "geometry/reference_intersection.h"
@@ -119,18 +118,24 @@ FrameCounts PlanarRenderer::render(Film& film, std::uint32_t count, Progress& pr
                                [&] { return prepared_.complete(statistics_, progress); });
 }
 
+PredictionDrawer& PlanarRenderer::prediction_drawer() {
+    if (!prediction_drawer_) {
+        const ReflectionMaps& maps = prepared_.maps();
+        curved_.emplace(device_, data_, maps.reflectors(), kind_, maps.faces(), std::nullopt,
+                        map_settings_.tolerance.of, prepared_.specialization(), prepared_.bindings());
+        prediction_drawer_.emplace(device_, data_, kind_, maps.faces().size(), prepared_.specialization(),
+                                   prepared_.bindings(), *curved_, settings_.width, settings_.height);
+    }
+    return *prediction_drawer_;
+}
+
 template <typename Errors, typename Tell>
 std::vector<Errors> PlanarRenderer::find_errors(const Errors& of_image, const Errors& without_image,
                                                 Tell tell) {
     std::vector<Errors> errors(std::size_t{settings_.width} * settings_.height, {-1.0f, -1.0f, -1.0f, -1.0f});
-    const ReflectionMaps& maps = prepared_.maps();
     if (prepared_.has_distances()) {
-        const ReflectorDrawer curved(device_, data_, maps.reflectors(), kind_, maps.faces(), std::nullopt,
-                                     map_settings_.tolerance.of, prepared_.specialization(),
-                                     prepared_.bindings());
-        PredictionDrawer drawer(device_, data_, kind_, maps.faces().size(), prepared_.specialization(),
-                                prepared_.bindings(), curved, settings_.width, settings_.height);
-        errors = tell(drawer, make_camera_info(camera_, data_.origin, settings_.width, settings_.height));
+        errors = tell(prediction_drawer(),
+                      make_camera_info(camera_, data_.origin, settings_.width, settings_.height));
     }
     draw_frame();
     const std::vector<glm::vec4> pixels = drawer_.pixels();

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "renderers/reflection_map/planar_drawer.h"
+#include "renderers/reflection_map/prediction_drawer.h"
 #include "renderers/reflection_map/prepared_maps.h"
 
+#include <optional>
 #include <vector>
 
 namespace utsuri {
@@ -39,6 +41,8 @@ class PlanarRenderer : public Renderer {
 
   private:
     [[nodiscard]] ImageSettings image_settings() const;
+    /// Of what is curved; made when it is first needed.
+    PredictionDrawer& prediction_drawer();
     /// Errors of what is curved, as `tell` tells them, and of plane mirrors.
     template <typename Errors, typename Tell>
     std::vector<Errors> find_errors(const Errors& of_image, const Errors& without_image, Tell tell);
@@ -53,6 +57,8 @@ class PlanarRenderer : public Renderer {
     PlaneMirrors mirrors_;
     PreparedMaps prepared_;
     PlanarDrawer drawer_;
+    std::optional<ReflectorDrawer> curved_;  ///< whose errors are predicted
+    std::optional<PredictionDrawer> prediction_drawer_;
     std::vector<MirrorImage> images_;
 };
 
