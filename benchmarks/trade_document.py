@@ -14,7 +14,8 @@ import json
 import pathlib
 import re
 
-METRIC = "rel_mse"
+METRIC = "flip"
+TITLE = "FLIP"
 PICTURES_A_ROW = 4
 
 
@@ -108,7 +109,10 @@ def equal_table(trade, kind, head, cell):
             is_best = value <= min(cell(rival)[1] for rival in rivals)
             cells.append(f"**{text}**" if is_best else text)
         rows.append(cells)
-    return table([""] + head, rows)
+    reached = [0] + [column for column in range(1, len(head) + 1) if any(cells[column] != "-" for cells in rows)]
+    lines = [[""] + head] + rows
+    kept = [[cells[column] for column in reached] for cells in lines]
+    return table(kept[0], kept[1:])
 
 
 def picture_table(trade, document):
@@ -129,17 +133,17 @@ def scene_section(trade, document):
     plain = plain_runs(trade)
     samples = max(run["settings"]["samples"] for _, run in plain.values())
     text = (f"{trade['triangles']} triangles, {100.0 * trade['reflective_pixels'] / pixels:.0f} % of the pixels reflective. "
-            f"Pictures of {samples} samples, each with its relMSE over reflective pixels:\n\n")
+            f"Pictures of {samples} samples, each with its {TITLE} over reflective pixels:\n\n")
     text += picture_table(trade, document)
     equal = trade["equal"]
-    text += "relMSE over reflective pixels, at equal times of a frame:\n\n"
+    text += f"{TITLE} over reflective pixels, at equal times of a frame:\n\n"
     text += equal_table(trade, "times", [seconds_text(seconds) for seconds in equal["seconds"]],
                         lambda run: (error_text(trade, run), run["errors_reflective"][METRIC]))
-    text += "Time of a frame, at equal relMSE over reflective pixels:\n\n"
+    text += f"Time of a frame, at equal {TITLE} over reflective pixels:\n\n"
     text += equal_table(trade, "errors", [f"{error:g}" for error in equal["errors"]],
                         lambda run: (seconds_text(run["frame_seconds"]), run["frame_seconds"]))
     text += "`hybrid` at tolerances in pixels:\n\n"
-    text += table(["tolerance", "traced", "a sample", "times faster than `trace`", "relMSE, reflective"],
+    text += table(["tolerance", "traced", "a sample", "times faster than `trace`", f"{TITLE}, reflective"],
                   tolerance_rows(trade))
     return text
 
@@ -148,8 +152,9 @@ def summary(trades):
     text = ""
     for title, cell in (
             ("Time of one sample of all pixels", lambda trade, run: seconds_text(sample_seconds(run))),
-            ("FLIP over reflective pixels", lambda trade, run: f"{run['metrics_reflective']['flip']:.3f}"),
-            ("relMSE over reflective pixels", error_text)):
+            (f"{TITLE} over reflective pixels", error_text),
+            ("relMSE over reflective pixels, less the reference's noise",
+             lambda trade, run: f"{run['errors_reflective']['rel_mse']:.2g}")):
         plain = [plain_runs(trade) for trade in trades]
         rows = [[short_name(name)] + [cell(trade, runs[name][1]) if name in runs else "-"
                                       for trade, runs in zip(trades, plain)] for name in plain[0]]
