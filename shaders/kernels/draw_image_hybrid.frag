@@ -12,7 +12,7 @@
 #include "kernels/search_bindings.glsl"
 #include "kernels/drawn_prediction.glsl"
 #include "kernels/look_up_by_place.glsl"
-#include "kernels/traced_reflection.glsl"
+#include "kernels/hybrid_light.glsl"
 
 layout(location = 1) out vec4 drawn_throughput;
 
@@ -22,13 +22,7 @@ void main() {
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
     float state = complete_after(image.reflections);
-    if (is_specular(surface)) {
-        vec3 reflected;
-        uint rays = 0u;
-        if (!look_up(surface, wo, reflected)) reflected = traced_radiance(surface, wo, image.reflections, rays);
-        radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) * reflected;
-        state = found_by(image.reflections, rays);
-    }
+    if (is_specular(surface)) radiance += hybrid_light(surface, wo, image.reflections, state);
     drawn = with_light(radiance, state);
     drawn_throughput = vec4(0.0);
 }

@@ -3,7 +3,7 @@
 #include "kernels/cached_surface_light.glsl"
 #include "kernels/specular_chain.glsl"
 
-/// @param reflections that lie between the surface and the eye
+/// @param reflections that lie between the surface and the eye, less than push.specular_depth
 /// @param rays is set to how many it took
 vec3 traced_radiance(Surface seen, vec3 wo, uint reflections, out uint rays) {
     // A ray leaves the surface from where rays would hit it.

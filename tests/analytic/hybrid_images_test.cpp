@@ -178,5 +178,29 @@ TEST_F(HybridImages, AreCutWhereChainsAre) {
     EXPECT_EQ(share_that_differs(hybrid.image, planar.image, kRounding), 0.0);
 }
 
+// A ball seen in a mirror is the second reflection: there may be one.
+TEST_F(HybridImages, OfCurvedMirrorsAreCutWhereChainsAre) {
+    RenderSettings shallow = kPicture;
+    shallow.specular_depth = 1;
+    const Scene scene = mirror_and_ball(mirror());
+    const View hybrid = view(scene, MapKind::hybrid, 0.0f, shallow);
+    EXPECT_GT(hybrid.counts.truncated, 0u);
+    EXPECT_LT(share_that_differs(hybrid.image, traced(scene, shallow), 0.15f), kMostEdgePixels);
+}
+
+// Without a reflection allowed, what is not looked up is dark, with images in plane mirrors and without.
+TEST_F(HybridImages, NoRayIsFollowedAtADepthOfNothing) {
+    RenderSettings flat = kPicture;
+    flat.specular_depth = 0;
+    const Scene scene = mirror_and_ball(mirror());
+    for (const bool draws_images : {false, true}) {
+        const Traced picture = render_with_maps(
+            device(), scene, eye(), flat, DrawnMethod(MapKind::hybrid, draws_images), settings(0.0f), 2);
+        EXPECT_EQ(picture.statistics.counts.rays, 0u);
+        EXPECT_EQ(picture.statistics.counts.traced, 0u);
+        EXPECT_GT(picture.statistics.counts.truncated, 0u);
+    }
+}
+
 }  // namespace
 }  // namespace utsuri::test
