@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/device.h"
 
+#include "gpu/pipeline_cache.h"
 #include "gpu/vulkan_call.h"
 
 #include <algorithm>
@@ -51,7 +52,9 @@ std::optional<std::uint32_t> find_queue_family(const std::vector<vk::QueueFamily
 }
 
 Device::Device(const VulkanInstance& instance, std::string_view wanted)
-    : summary_(choose_device(instance, wanted)), debug_names_(instance.has_debug_names()) {
+    : summary_(choose_device(instance, wanted)),
+      debug_names_(instance.has_debug_names()),
+      pipelines_(std::make_unique<PipelineCache>()) {
     vulkan_call("open Vulkan device", summary_.name, [&] {
         vk::raii::PhysicalDevices devices(instance.handle());
         physical_ = std::move(devices[summary_.index]);

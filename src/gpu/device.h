@@ -8,12 +8,15 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace utsuri {
+
+class PipelineCache;
 
 /// Queue family with compute and timestamps; one with graphics, too, if there is one.
 std::optional<std::uint32_t> find_queue_family(const std::vector<vk::QueueFamilyProperties>& families);
@@ -57,6 +60,8 @@ class Device {
     /// Called by buffers as they take and release memory.
     void note_memory(std::int64_t bytes);
 
+    [[nodiscard]] PipelineCache& pipelines() { return *pipelines_; }
+
     /// Gives an object a name that validation messages and graphics debuggers show.
     void set_name(vk::ObjectType type, std::uint64_t handle, const std::string& name) const;
 
@@ -73,6 +78,7 @@ class Device {
     std::optional<vk::raii::QueryPool> timestamps_;
     std::optional<vk::raii::Fence> fence_;
     MemoryUsage memory_;
+    std::unique_ptr<PipelineCache> pipelines_;
 };
 
 }  // namespace utsuri

@@ -6,24 +6,26 @@
 namespace utsuri {
 namespace {
 
-vk::raii::Pipeline create_pipeline(const Device& device, const PipelineInterface& interface,
-                                   std::span<const std::uint32_t> spirv,
-                                   const Specialization& specialization) {
-    const ShaderStage stage(device, vk::ShaderStageFlagBits::eCompute, spirv, specialization);
-    vk::raii::Pipeline pipeline =
-        device.handle().createComputePipeline(nullptr, {{}, stage.info(), interface.layout()});
-    name_pipeline(device, pipeline, interface.name());
-    return pipeline;
+Pipeline create_pipeline(Device& device, std::string name, std::span<const std::uint32_t> spirv,
+                         const Specialization& specialization, std::uint32_t push_bytes) {
+    PipelineInterface interface(device, std::move(name), std::span(&spirv, 1),
+                                vk::ShaderStageFlagBits::eCompute, push_bytes);
+    return vulkan_call("create kernel", interface.name(), [&] {
+        const ShaderStage stage(device, vk::ShaderStageFlagBits::eCompute, spirv, specialization);
+        vk::raii::Pipeline pipeline =
+            device.handle().createComputePipeline(nullptr, {{}, stage.info(), interface.layout()});
+        name_pipeline(device, pipeline, interface.name());
+        return Pipeline(std::move(interface), std::move(pipeline));
+    });
 }
 
 }  // namespace
 
 Kernel::Kernel(Device& device, std::string name, std::span<const std::uint32_t> spirv,
                const Specialization& specialization, std::uint32_t push_bytes)
-    : interface_(device, std::move(name), std::span(&spirv, 1), vk::ShaderStageFlagBits::eCompute,
-                 push_bytes),
-      pipeline_(vulkan_call("create kernel", interface_.name(),
-                            [&] { return create_pipeline(device, interface_, spirv, specialization); })) {}
+    : pipeline_(device.pipelines().find_or_make(
+          PipelineRecipe().add(push_bytes).add_stage(spirv, specialization),
+          [&] { return create_pipeline(device, std::move(name), spirv, specialization, push_bytes); })) {}
 
 Kernel::Kernel(Kernel&& other) noexcept = default;
 Kernel& Kernel::operator=(Kernel&& other) noexcept = default;
@@ -36,8 +38,8 @@ void Kernel::dispatch_bytes(const vk::raii::CommandBuffer& commands, const Bindi
         vk::PipelineStageFlagBits2::eComputeShader,
         vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite);
     commands.pipelineBarrier2(vk::DependencyInfo({}, after_previous));
-    commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
-    interface_.use(commands, vk::PipelineBindPoint::eCompute, bindings, push);
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_->handle);
+    pipeline_->interface.use(commands, vk::PipelineBindPoint::eCompute, bindings, push);
     commands.dispatch(groups, 1, 1);
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gpu/pipeline_interface.h"
+#include "gpu/pipeline_cache.h"
+
+#include <memory>
 
 namespace utsuri {
 
@@ -9,7 +11,7 @@ namespace utsuri {
 inline constexpr std::uint32_t kMaxGroups = 65535;
 
 /// A compute pipeline made from embedded SPIR-V. Its layout follows from the module: storage buffers in set
-/// 0, one push constant block. Move-only.
+/// 0, one push constant block. Move-only. The pipeline itself is the device's: see PipelineCache.
 class Kernel {
   public:
     /// @param push_bytes size of the push constant block, 0 for none, at most 128
@@ -20,7 +22,9 @@ class Kernel {
     ~Kernel();
 
     /// Binds buffers; extra entries are passed over, a missing one is a failed check.
-    [[nodiscard]] BindingSet bind(const Bindings& buffers) const { return interface_.bind(buffers); }
+    [[nodiscard]] BindingSet bind(const Bindings& buffers) const {
+        return pipeline_->interface.bind(buffers);
+    }
 
     /// Records a dispatch of `groups` workgroups, ordered after everything recorded or run before.
     template <typename Push>
@@ -33,8 +37,7 @@ class Kernel {
     void dispatch_bytes(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
                         std::span<const std::byte> push, std::uint32_t groups) const;
 
-    PipelineInterface interface_;
-    vk::raii::Pipeline pipeline_;
+    std::shared_ptr<const Pipeline> pipeline_;
 };
 
 }  // namespace utsuri

@@ -4,6 +4,7 @@
 #include "gpu/vulkan_call.h"
 
 #include <array>
+#include <bit>
 #include <optional>
 #include <vector>
 
@@ -61,6 +62,20 @@ vk::raii::Pipeline create_pipeline(const Device& device, const PipelineInterface
     return pipeline;
 }
 
+PipelineRecipe recipe(std::span<const std::uint32_t> vertex, std::span<const std::uint32_t> fragment,
+                      const Specialization& specialization, std::uint32_t push_bytes, const DepthState& depth,
+                      const ColourState& colour) {
+    PipelineRecipe recipe;
+    recipe.add(push_bytes)
+        .add(static_cast<std::uint32_t>(depth.test))
+        .add(std::bit_cast<std::uint32_t>(depth.behind))
+        .add(colour.attachments)
+        .add(colour.written ? 1 : 0)
+        .add_stage(vertex, specialization)
+        .add_stage(fragment, specialization);
+    return recipe;
+}
+
 vk::ImageMemoryBarrier2 discarded_before(const Attachment& attachment) {
     // Its old contents are of no use, but whoever drew or read them has to be done.
     return {vk::PipelineStageFlagBits2::eAllCommands,
@@ -111,10 +126,14 @@ vk::RenderingAttachmentInfo cleared(const Attachment& attachment, const vk::Clea
 RasterPipeline::RasterPipeline(Device& device, const std::string& name, std::span<const std::uint32_t> vertex,
                                std::span<const std::uint32_t> fragment, const Specialization& specialization,
                                std::uint32_t push_bytes, const DepthState& depth, const ColourState& colour)
-    : interface_(device, name, modules(vertex, fragment), kStages, push_bytes),
-      pipeline_(vulkan_call("create pipeline", name, [&] {
-          return create_pipeline(device, interface_, vertex, fragment, specialization, depth, colour);
-      })) {}
+    : pipeline_(device.pipelines().find_or_make(
+          recipe(vertex, fragment, specialization, push_bytes, depth, colour), [&] {
+              PipelineInterface interface(device, name, modules(vertex, fragment), kStages, push_bytes);
+              vk::raii::Pipeline pipeline = vulkan_call("create pipeline", name, [&] {
+                  return create_pipeline(device, interface, vertex, fragment, specialization, depth, colour);
+              });
+              return Pipeline(std::move(interface), std::move(pipeline));
+          })) {}
 
 RasterPipeline::RasterPipeline(RasterPipeline&& other) noexcept = default;
 RasterPipeline& RasterPipeline::operator=(RasterPipeline&& other) noexcept = default;
@@ -124,16 +143,16 @@ void RasterPipeline::draw_bytes(const vk::raii::CommandBuffer& commands, const B
                                 std::span<const std::byte> push, std::uint32_t first,
                                 std::uint32_t triangles) const {
     if (triangles == 0) return;
-    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
-    interface_.use(commands, vk::PipelineBindPoint::eGraphics, bindings, push);
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_->handle);
+    pipeline_->interface.use(commands, vk::PipelineBindPoint::eGraphics, bindings, push);
     commands.draw(3 * triangles, 1, 3 * first, 0);
 }
 
 void RasterPipeline::draw_indirect_bytes(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
                                          std::span<const std::byte> push, const Buffer& arguments,
                                          std::uint32_t index) const {
-    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
-    interface_.use(commands, vk::PipelineBindPoint::eGraphics, bindings, push);
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_->handle);
+    pipeline_->interface.use(commands, vk::PipelineBindPoint::eGraphics, bindings, push);
     commands.drawIndirect(arguments.handle(), index * sizeof(vk::DrawIndirectCommand), 1, 0);
 }
 

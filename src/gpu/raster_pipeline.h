@@ -2,10 +2,11 @@
 #pragma once
 
 #include "gpu/attachment.h"
-#include "gpu/pipeline_interface.h"
+#include "gpu/pipeline_cache.h"
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -31,7 +32,7 @@ struct ColourState {
 };
 
 /// A graphics pipeline made from embedded SPIR-V: triangles whose vertices the vertex stage pulls from
-/// storage buffers, drawn on both sides. Move-only.
+/// storage buffers, drawn on both sides. Move-only. The pipeline itself is the device's: see PipelineCache.
 class RasterPipeline {
   public:
     /// @param fragment empty for a pipeline that draws depth alone
@@ -44,7 +45,9 @@ class RasterPipeline {
     ~RasterPipeline();
 
     /// Binds buffers; extra entries are passed over, a missing one is a failed check.
-    [[nodiscard]] BindingSet bind(const Bindings& buffers) const { return interface_.bind(buffers); }
+    [[nodiscard]] BindingSet bind(const Bindings& buffers) const {
+        return pipeline_->interface.bind(buffers);
+    }
 
     /// Records a draw of whole triangles, inside draw_into(). Vertex indices begin at 3 * first.
     template <typename Push>
@@ -68,8 +71,7 @@ class RasterPipeline {
     void draw_bytes(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
                     std::span<const std::byte> push, std::uint32_t first, std::uint32_t triangles) const;
 
-    PipelineInterface interface_;
-    vk::raii::Pipeline pipeline_;
+    std::shared_ptr<const Pipeline> pipeline_;
 };
 
 /// A colour attachment that is drawn into.

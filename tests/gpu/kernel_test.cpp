@@ -4,9 +4,11 @@
 #include "support/test_device.h"
 
 #include "base/check.h"
+#include "gpu/pipeline_cache.h"
 #include "gpu/probe.h"
 
 #include "kernels/film_probe.h"
+#include "kernels/numeric_probe.h"
 
 #include <gmock/gmock.h>
 
@@ -64,6 +66,19 @@ TEST_F(KernelOnDevice, SeesWhatDispatchesBeforeItWrote) {
     });
     // The answers {1, 0} and {7, 0} read as a query are a = 1, b = 0, c = 7, repeats = 0: their sum is b + c.
     EXPECT_EQ(answers.download_records<interop::FilmAnswer>(1).front().sum, 7.0f);
+}
+
+TEST_F(KernelOnDevice, IsCompiledOnceForAllThatNeedIt) {
+    const auto pipelines_after = [](const Specialization& specialization) {
+        const Kernel kernel(device(), "film_probe", kernels::film_probe, specialization,
+                            sizeof(interop::ProbePush));
+        return device().pipelines().size();
+    };
+    const std::size_t once = pipelines_after({});
+    EXPECT_EQ(pipelines_after({}), once);
+    EXPECT_EQ(pipelines_after({{77, 1}}), once) << "for a constant that the kernel does not have";
+    const Kernel another(device(), "numeric_probe", kernels::numeric_probe, {}, sizeof(interop::ProbePush));
+    EXPECT_EQ(device().pipelines().size(), once + 1);
 }
 
 TEST_F(KernelOnDevice, TakesTimeOnTheDevice) {

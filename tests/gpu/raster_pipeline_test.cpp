@@ -205,6 +205,22 @@ TEST_F(RasterOnDevice, TakesSpecializationConstants) {
         EXPECT_EQ(pixel.w, 6.5f);
 }
 
+TEST_F(RasterOnDevice, IsCompiledOnceForEachStateAndSetOfConstants) {
+    const auto pipelines_after = [](const Specialization& specialization, const DepthState& depth,
+                                    const ColourState& colour) {
+        const RasterPipeline pipeline(device(), "raster_probe", kernels::raster_probe_vert,
+                                      kernels::raster_probe_frag, specialization, sizeof(float), depth,
+                                      colour);
+        return device().pipelines().size();
+    };
+    const std::size_t once = pipelines_after({}, {}, {});
+    EXPECT_EQ(pipelines_after({}, {}, {}), once);
+    EXPECT_EQ(pipelines_after({}, {DepthTest::nearer, 7.0f}, {}), once + 1);
+    EXPECT_EQ(pipelines_after({}, {DepthTest::equal, 7.0f}, {}), once + 2);
+    EXPECT_EQ(pipelines_after({}, {DepthTest::equal, 7.0f}, {1, false}), once + 3);
+    EXPECT_EQ(pipelines_after({{0, 7}}, {DepthTest::equal, 7.0f}, {1, false}), once + 4);
+}
+
 TEST_F(RasterOnDevice, RefusesPicturesLargerThanTheDeviceDraws) {
     const std::uint32_t limit = device().summary().image_size;
     try {

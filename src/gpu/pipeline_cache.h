@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gpu/pipeline_interface.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace utsuri {
+
+/// A pipeline and what it reads.
+struct Pipeline {
+    PipelineInterface interface;
+    vk::raii::Pipeline handle;
+
+    Pipeline(PipelineInterface interface, vk::raii::Pipeline handle);
+    Pipeline(Pipeline&& other) noexcept;
+    ~Pipeline();
+};
+
+/// All that a pipeline is made of, in one list: what has an equal one is the same pipeline.
+class PipelineRecipe {
+  public:
+    PipelineRecipe& add(std::uint32_t value);
+    /// A stage's code, and the values of the constants that it declares.
+    PipelineRecipe& add_stage(std::span<const std::uint32_t> spirv, const Specialization& specialization);
+
+    friend auto operator<=>(const PipelineRecipe&, const PipelineRecipe&) = default;
+
+  private:
+    std::vector<std::uint32_t> words_;
+};
+
+/// Pipelines of a device, kept as long as it is: what several renderers need, or one that is made anew as its
+/// scene changes, is compiled once.
+class PipelineCache {
+  public:
+    PipelineCache();
+    PipelineCache(const PipelineCache&) = delete;
+    PipelineCache& operator=(const PipelineCache&) = delete;
+    ~PipelineCache();
+
+    /// @param make is called if there is no pipeline of that recipe yet
+    std::shared_ptr<const Pipeline> find_or_make(const PipelineRecipe& recipe,
+                                                 const std::function<Pipeline()>& make);
+    [[nodiscard]] std::size_t size() const { return pipelines_.size(); }
+
+  private:
+    std::map<PipelineRecipe, std::shared_ptr<const Pipeline>> pipelines_;
+};
+
+}  // namespace utsuri
