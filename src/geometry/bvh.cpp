@@ -1,13 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/bvh.h"
 
+#include "base/check.h"
 #include "geometry/binary_bvh.h"
+#include "geometry/bounds.h"
+#include "geometry/node_boxes.h"
 #include "geometry/wide_bvh.h"
 
 #include <bit>
 #include <cmath>
 
 namespace utsuri {
+namespace {
+
+std::vector<interop::BvhTriangle> in_device_order(std::span<const glm::vec3> positions,
+                                                  std::span<const glm::uvec3> triangles,
+                                                  const std::vector<std::uint32_t>& order) {
+    std::vector<interop::BvhTriangle> result;
+    result.reserve(order.size());
+    for (const std::uint32_t input : order) {
+        const glm::uvec3& triangle = triangles[input];
+        result.push_back({positions[triangle.x], positions[triangle.y], positions[triangle.z]});
+    }
+    return result;
+}
+
+/// Box of what is in a slot.
+Bounds bounds_of(const Bvh& bvh, const SlotContent& content, const std::vector<Bounds>& nodes) {
+    if (content.is_node) return nodes[content.node];
+    Bounds bounds;
+    for (std::uint32_t t = 0; t < content.triangle_count; ++t) {
+        const interop::BvhTriangle& triangle = bvh.triangles[content.first_triangle + t];
+        for (const glm::vec3& vertex : {triangle.v0, triangle.v1, triangle.v2})
+            bounds.extend(vertex);
+    }
+    return bounds;
+}
+
+}  // namespace
 
 Bvh build_bvh(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
     // Joining nodes never makes the tree deeper, so the bound on the binary tree bounds the wide one.
@@ -16,12 +46,24 @@ Bvh build_bvh(std::span<const glm::vec3> positions, std::span<const glm::uvec3> 
     bvh.nodes = std::move(wide.nodes);
     bvh.order = std::move(wide.order);
     bvh.depth = wide.depth;
-    bvh.triangles.reserve(bvh.order.size());
-    for (const std::uint32_t input : bvh.order) {
-        const glm::uvec3& triangle = triangles[input];
-        bvh.triangles.push_back({positions[triangle.x], positions[triangle.y], positions[triangle.z]});
-    }
+    bvh.triangles = in_device_order(positions, triangles, bvh.order);
     return bvh;
+}
+
+void refit(Bvh& bvh, std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
+    UTSURI_CHECK_EQ(triangles.size(), bvh.order.size());
+    bvh.triangles = in_device_order(positions, triangles, bvh.order);
+    if (bvh.triangles.empty()) return;
+    std::vector<Bounds> nodes(bvh.nodes.size());
+    // Children come after their parents.
+    for (std::size_t n = bvh.nodes.size(); n-- > 0;) {
+        SlotBoxes boxes;
+        for (std::uint32_t slot = 0; slot < interop::BVH_WIDTH; ++slot) {
+            boxes[slot] = bounds_of(bvh, slot_content(bvh.nodes[n], slot), nodes);
+            nodes[n].extend(boxes[slot]);
+        }
+        set_boxes(bvh.nodes[n], nodes[n], boxes);
+    }
 }
 
 ChildBox child_box(const interop::BvhNode& node, std::uint32_t slot) {

@@ -24,6 +24,13 @@ struct Bvh {
 /// @param triangles indices into positions, in range
 Bvh build_bvh(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
 
+/// Moves the triangles of a BVH: which nodes there are and what they hold stays, their boxes are made anew.
+/// Rays find the same as with a BVH of the moved triangles, the slower the farther these went each its own
+/// way.
+/// @param positions finite vertices, metres
+/// @param triangles indices into positions, in range; as many as the BVH has, in the order of its input
+void refit(Bvh& bvh, std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
+
 /// Box of the child in `slot` of a node, as the device sees it, in float64 without rounding.
 struct ChildBox {
     glm::dvec3 lower;

@@ -2,6 +2,7 @@
 #include "geometry/wide_bvh.h"
 
 #include "base/check.h"
+#include "geometry/node_boxes.h"
 
 #include <algorithm>
 #include <array>
@@ -105,51 +106,6 @@ Slots assign_slots(const BinaryBvh& binary, const Bounds& parent,
     return slots;
 }
 
-/// Quantises the boxes of the slots on one axis. Returns the biased exponent of the cell.
-struct QuantisedAxis {
-    std::uint32_t exponent = 0;
-    std::array<std::uint32_t, BVH_WIDTH> lower{};
-    std::array<std::uint32_t, BVH_WIDTH> upper{};
-};
-
-constexpr double kCells = 255.0;
-
-QuantisedAxis quantise_axis(const BinaryBvh& binary, const Slots& slots, const Bounds& parent, int axis) {
-    QuantisedAxis result;
-    const double origin = static_cast<double>(parent.lower[axis]);
-    const double extent = static_cast<double>(parent.upper[axis]) - origin;
-    // The smallest power of two with 255 cells covering the extent. Biased exponents below 1 would be
-    // denormal.
-    int exponent = extent > 0.0 ? std::ilogb(extent / kCells) : -126;
-    while (std::ldexp(kCells, exponent) < extent)
-        ++exponent;
-    exponent = std::max(exponent, -126);
-    result.exponent = static_cast<std::uint32_t>(exponent + 127);
-    const double cell = std::ldexp(1.0, exponent);
-    for (std::uint32_t s = 0; s < BVH_WIDTH; ++s) {
-        if (slots[s] == interop::NONE) continue;
-        const Bounds& box = binary.nodes[slots[s]].bounds;
-        // Differences of float32 values in float64 can round where exponents are far apart: step outwards
-        // until sure.
-        double lower = std::floor((static_cast<double>(box.lower[axis]) - origin) / cell);
-        double upper = std::ceil((static_cast<double>(box.upper[axis]) - origin) / cell);
-        while (lower > 0.0 && origin + lower * cell > static_cast<double>(box.lower[axis]))
-            lower -= 1.0;
-        while (upper < kCells && origin + upper * cell < static_cast<double>(box.upper[axis]))
-            upper += 1.0;
-        result.lower[s] = static_cast<std::uint32_t>(std::clamp(lower, 0.0, kCells));
-        result.upper[s] = static_cast<std::uint32_t>(std::clamp(upper, 0.0, kCells));
-    }
-    return result;
-}
-
-glm::uvec2 pack_bytes(const std::array<std::uint32_t, BVH_WIDTH>& bytes) {
-    glm::uvec2 words(0u);
-    for (std::uint32_t s = 0; s < BVH_WIDTH; ++s)
-        words[static_cast<int>(s / 4)] |= bytes[s] << (8 * (s % 4));
-    return words;
-}
-
 class Widener {
   public:
     explicit Widener(const BinaryBvh& binary) : binary_(binary), costs_(subtree_costs(binary)) {}
@@ -220,19 +176,14 @@ class Widener {
                 result_.order.push_back(binary_.order[leaf.first + i]);
             }
         }
-        std::array<QuantisedAxis, 3> axes;
-        for (int axis = 0; axis < 3; ++axis) {
-            axes[static_cast<std::size_t>(axis)] = quantise_axis(binary_, slots, bounds, axis);
-        }
-        interop::BvhNode node;
-        node.origin_exponents = glm::uvec4(
-            std::bit_cast<std::uint32_t>(bounds.lower.x), std::bit_cast<std::uint32_t>(bounds.lower.y),
-            std::bit_cast<std::uint32_t>(bounds.lower.z),
-            axes[0].exponent | (axes[1].exponent << 8) | (axes[2].exponent << 16) | (node_slots << 24));
+        interop::BvhNode node{};
+        node.origin_exponents.w = node_slots << 24;
         node.bases_meta = glm::uvec4(first_child, first_triangle, pack_bytes(meta));
-        node.lower_xy = glm::uvec4(pack_bytes(axes[0].lower), pack_bytes(axes[1].lower));
-        node.lower_z_upper_x = glm::uvec4(pack_bytes(axes[2].lower), pack_bytes(axes[0].upper));
-        node.upper_yz = glm::uvec4(pack_bytes(axes[1].upper), pack_bytes(axes[2].upper));
+        SlotBoxes boxes;
+        for (std::uint32_t s = 0; s < BVH_WIDTH; ++s) {
+            if (slots[s] != interop::NONE) boxes[s] = binary_.nodes[slots[s]].bounds;
+        }
+        set_boxes(node, bounds, boxes);
         return node;
     }
 

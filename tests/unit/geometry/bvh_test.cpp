@@ -109,6 +109,11 @@ std::vector<Input> inputs() {
             {"smallest_floats", test::scaled(random, 1e-30f)}};
 }
 
+bool same_bytes(const auto& a, const auto& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
+}
+
 class BvhOf : public testing::TestWithParam<Input> {};
 
 TEST_P(BvhOf, PassesTheChecker) {
@@ -178,13 +183,34 @@ TEST_P(BvhOf, HasBoxesThatContainTheirContentAndExceedItByACell) {
     BoxComparison(bvh).visit(0);
 }
 
+TEST_P(BvhOf, RefittedWhereItIsChangesNothing) {
+    const TriangleSoup& soup = GetParam().soup;
+    const Bvh bvh = build_bvh(soup.positions, soup.triangles);
+    Bvh refitted = bvh;
+    refit(refitted, soup.positions, soup.triangles);
+    EXPECT_TRUE(same_bytes(refitted.nodes, bvh.nodes));
+    EXPECT_TRUE(same_bytes(refitted.triangles, bvh.triangles));
+}
+
+TEST_P(BvhOf, RefittedToOtherPlacesPassesTheChecker) {
+    const TriangleSoup& soup = GetParam().soup;
+    TriangleSoup moved = soup;
+    // Turned about, and every other vertex pulled towards the middle.
+    for (std::size_t i = 0; i < moved.positions.size(); ++i) {
+        glm::vec3& position = moved.positions[i];
+        position = (i % 2 == 0 ? 1.0f : 0.25f) * glm::vec3(position.z, -position.x, position.y);
+    }
+    Bvh bvh = build_bvh(soup.positions, soup.triangles);
+    const std::vector<std::uint32_t> order = bvh.order;
+    refit(bvh, moved.positions, moved.triangles);
+    EXPECT_EQ(check_bvh(bvh, soup.triangles.size()), "");
+    EXPECT_EQ(bvh.order, order);
+    for (std::size_t i = 0; i < bvh.order.size(); ++i)
+        ASSERT_EQ(bvh.triangles[i].v1, moved.positions[moved.triangles[bvh.order[i]].y]);
+}
+
 INSTANTIATE_TEST_SUITE_P(Inputs, BvhOf, testing::ValuesIn(inputs()),
                          [](const testing::TestParamInfo<Input>& input) { return input.param.name; });
-
-bool same_bytes(const auto& a, const auto& b) {
-    return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
-}
 
 TEST(Bvh, IsTheSameOnEveryBuild) {
     // Enough triangles for several threads to take part.
