@@ -63,8 +63,12 @@ void append_instance(const Scene& scene, std::uint32_t index, WorldGeometry& wor
 }  // namespace
 
 WorldGeometry make_world_geometry(const Scene& scene) {
+    return make_world_geometry(scene, centre_of_scene(scene));
+}
+
+WorldGeometry make_world_geometry(const Scene& scene, const glm::dvec3& origin) {
     WorldGeometry world;
-    world.origin = centre_of_scene(scene);
+    world.origin = origin;
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
         append_instance(scene, i, world);
     return world;

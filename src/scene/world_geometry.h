@@ -23,5 +23,7 @@ struct WorldGeometry {
 };
 
 WorldGeometry make_world_geometry(const Scene& scene);
+/// With an origin that is given: of a scene that has changed, where it was before.
+WorldGeometry make_world_geometry(const Scene& scene, const glm::dvec3& origin);
 
 }  // namespace utsuri

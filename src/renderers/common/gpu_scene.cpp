@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/common/gpu_scene.h"
 
+#include "base/check.h"
+
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 
@@ -10,6 +12,12 @@ namespace {
 template <typename Record>
 Buffer upload(Device& device, const std::vector<Record>& records, const char* name) {
     return make_buffer<Record>(device, records, name);
+}
+
+/// Puts as many records in the place of those that a buffer was made of.
+template <typename Record>
+void replace(Buffer& buffer, const std::vector<Record>& records) {
+    if (!records.empty()) buffer.upload(std::as_bytes(std::span(records)));
 }
 
 Specialization specialise(const SceneData& data) {
@@ -29,6 +37,7 @@ Specialization specialise(const SceneData& data) {
 GpuScene::GpuScene(Device& device, const SceneData& data)
     : specialization_(specialise(data)),
       specular_depth_(data.requirements.specular_depth),
+      light_revision_(data.light_revision),
       nodes_(upload(device, data.bvh.nodes, "BVH nodes")),
       triangles_(upload(device, data.bvh.triangles, "BVH triangles")),
       triangle_infos_(upload(device, data.triangle_infos, "triangle infos")),
@@ -39,6 +48,22 @@ GpuScene::GpuScene(Device& device, const SceneData& data)
       light_table_(upload(device, data.light_table, "light table")),
       texture_headers_(upload(device, data.texture_headers, "texture headers")),
       texels_(upload(device, data.texels, "texels")) {}
+
+void GpuScene::update(const SceneData& data) {
+    UTSURI_CHECK(specialise(data) == specialization_);
+    specular_depth_ = data.requirements.specular_depth;
+    light_revision_ = data.light_revision;
+    replace(nodes_, data.bvh.nodes);
+    replace(triangles_, data.bvh.triangles);
+    replace(triangle_infos_, data.triangle_infos);
+    replace(normals_, data.normals);
+    replace(texcoords_, data.texcoords);
+    replace(materials_, data.materials);
+    replace(lights_, data.lights);
+    replace(light_table_, data.light_table);
+    replace(texture_headers_, data.texture_headers);
+    replace(texels_, data.texels);
+}
 
 Bindings GpuScene::bindings() const {
     return {{interop::BINDING_BVH_NODES, &nodes_},

@@ -16,6 +16,12 @@ class GpuScene {
     GpuScene(const GpuScene&) = delete;
     GpuScene& operator=(const GpuScene&) = delete;
 
+    /// Takes over a change of the scene: update_scene_data().
+    /// @param data of as many records as before
+    void update(const SceneData& data);
+    /// SceneData::light_revision.
+    [[nodiscard]] std::uint32_t light_revision() const { return light_revision_; }
+
     /// Binding numbers of the scene's buffers. Buffers the scene does not require stand in as one zeroed
     /// record.
     [[nodiscard]] Bindings bindings() const;
@@ -28,6 +34,7 @@ class GpuScene {
   private:
     Specialization specialization_;
     std::uint32_t specular_depth_;
+    std::uint32_t light_revision_;
     Buffer nodes_;
     Buffer triangles_;
     Buffer triangle_infos_;

@@ -17,6 +17,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 
 namespace utsuri {
 namespace {
@@ -82,6 +83,27 @@ bool sums_lights(const SceneData& data) {
            std::none_of(data.lights.begin(), data.lights.end(), is_textured);
 }
 
+bool same_light(const FilledLight& before, const interop::LightCacheTriangle& was,
+                const std::vector<interop::LightCachePoint>& points, const interop::LightCacheTriangle& is) {
+    if (was.intervals != is.intervals || was.rows_per_interval != is.rows_per_interval || was.apex != is.apex)
+        return false;
+    const std::uint64_t count = lattice_points(is);
+    return count == 0 || std::memcmp(&before.points[was.first_point], &points[is.first_point],
+                                     count * sizeof(interop::LightCachePoint)) == 0;
+}
+
+/// Triangles on which light differs from what was there before; all if nothing was.
+std::vector<std::uint32_t> changed_triangles(const FilledLight& before,
+                                             const std::vector<interop::LightCachePoint>& points,
+                                             const std::vector<interop::LightCacheTriangle>& lattices) {
+    std::vector<std::uint32_t> changed;
+    const bool is_first = before.lattices.size() != lattices.size();
+    for (std::uint32_t t = 0; t < lattices.size(); ++t) {
+        if (is_first || !same_light(before, before.lattices[t], points, lattices[t])) changed.push_back(t);
+    }
+    return changed;
+}
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -126,13 +148,22 @@ LightCache::LightCache(Device& device, const LightCacheSettings& settings, bool 
 
 void LightCache::fill(const GpuScene& scene, std::uint32_t seed, FilledLight& filled, Progress& progress) {
     if (points_ == 0) return;
-    if (filled.points.empty()) {
+    if (filled.points.empty() || filled.revision != scene.light_revision()) {
         simulate(scene, seed, filled, progress);
-        filled.points = light_.download_records<interop::LightCachePoint>(points_);
+        keep(scene.light_revision(), filled);
         return;
     }
     UTSURI_CHECK_EQ(filled.points.size(), points_);
     light_.upload(std::as_bytes(std::span(filled.points)));
+}
+
+void LightCache::keep(std::uint32_t revision, FilledLight& filled) const {
+    auto points = light_.download_records<interop::LightCachePoint>(points_);
+    auto lattices = triangles_.download_records<interop::LightCacheTriangle>(scene_triangles_);
+    filled.changed = changed_triangles(filled, points, lattices);
+    filled.points = std::move(points);
+    filled.lattices = std::move(lattices);
+    filled.revision = revision;
 }
 
 void LightCache::simulate(const GpuScene& scene, std::uint32_t seed, FilledLight& filled,

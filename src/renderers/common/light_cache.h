@@ -28,7 +28,10 @@ inline constexpr std::uint32_t kMostLightSamples = 256;
 /// Light once simulated, on the host, and what that took: several methods of a comparison share it.
 struct FilledLight {
     LightCacheSettings settings;
-    std::vector<interop::LightCachePoint> points;  ///< empty until filled
+    std::vector<interop::LightCachePoint> points;       ///< empty until filled
+    std::vector<interop::LightCacheTriangle> lattices;  ///< that the points are on
+    std::uint32_t revision = 0;                         ///< SceneData::light_revision that they are of
+    std::vector<std::uint32_t> changed;  ///< triangles whose light was other the revision before; ascending
     FrameCounts counts;
     double seconds = 0.0;          ///< wall time, pipeline excluded
     double compile_seconds = 0.0;  ///< pipeline
@@ -50,7 +53,8 @@ class LightCache {
     /// @throws DeviceError if it does not fit
     LightCache(Device& device, const SceneData& data, const LightCacheSettings& settings);
 
-    /// Takes the light from `filled`, after simulating it there at every point if that was not done yet.
+    /// Takes the light from `filled`, after simulating it there at every point if that was not done yet, or
+    /// for the scene before it changed.
     /// @throws Interrupted if progress says so
     void fill(const GpuScene& scene, std::uint32_t seed, FilledLight& filled, Progress& progress);
 
@@ -61,6 +65,8 @@ class LightCache {
     LightCache(Device& device, const LightCacheSettings& settings, bool sums_lights,
                const std::vector<interop::LightCacheTriangle>& plan);
     void simulate(const GpuScene& scene, std::uint32_t seed, FilledLight& filled, Progress& progress);
+    /// Takes what was simulated over to the host.
+    void keep(std::uint32_t revision, FilledLight& filled) const;
     FrameCounts simulate_points(const Kernel& kernel, const BindingSet& set,
                                 const interop::LightCachePush& push);
 

@@ -3,6 +3,7 @@
 
 #include "renderers/common/film_kernel.h"
 #include "renderers/common/reflection_error.h"
+#include "renderers/common/scene_change.h"
 
 #include "base/progress.h"
 #include "scene/camera.h"
@@ -43,6 +44,12 @@ class Renderer {
     /// Captures maps, compiles pipelines: all that is done once before the first sample.
     /// @throws Interrupted if progress says so
     virtual void prepare(Progress& progress) = 0;
+    /// Follows a change of the scene, after update_scene_data() and GpuScene::update(): makes anew what was
+    /// prepared and the change touches. Pictures are then those of a renderer made for the scene as it is.
+    /// statistics() start anew with what that took. prepare() comes first; every renderer follows every
+    /// change.
+    /// @throws Interrupted if progress says so; the renderer must not be used then
+    virtual void follow(const SceneChange& change, Progress& progress) = 0;
     /// Moves the eye; what was prepared stays.
     virtual void look_from(const Camera& camera) = 0;
     /// Adds `count` samples to each pixel of the film, or fewer if progress says so. The same picture results

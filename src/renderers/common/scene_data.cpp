@@ -3,6 +3,9 @@
 
 #include "renderers/common/light_table.h"
 
+#include "base/error.h"
+
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <chrono>
@@ -181,22 +184,43 @@ void add_lights(const Scene& scene, SceneData& data) {
     lights.finish();
 }
 
-}  // namespace
-
-SceneData prepare_scene_data(const Scene& scene) {
-    SceneData data;
+/// All but the BVH, which is there.
+void describe(const Scene& scene, WorldGeometry world, SceneData& data) {
     data.requirements = find_requirements(scene);
-    WorldGeometry world = make_world_geometry(scene);
     data.origin = world.origin;
     data.bounds = world.bounds;
-    const auto start = std::chrono::steady_clock::now();
-    data.bvh = build_bvh(world.positions, world.triangles);
-    data.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     add_triangles(scene, world, data);
     add_materials(scene, data);
     add_lights(scene, data);
     data.normals = std::move(world.normals);
     if (data.requirements.textures > 0) data.texcoords = std::move(world.texcoords);
+}
+
+}  // namespace
+
+SceneData prepare_scene_data(const Scene& scene) {
+    SceneData data;
+    WorldGeometry world = make_world_geometry(scene);
+    const auto start = std::chrono::steady_clock::now();
+    data.bvh = build_bvh(world.positions, world.triangles);
+    data.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    describe(scene, std::move(world), data);
+    return data;
+}
+
+SceneData prepare_changed_scene(const SceneData& before, const Scene& scene) {
+    SceneData data;
+    WorldGeometry world = make_world_geometry(scene, before.origin);
+    if (world.triangles.size() != before.bvh.order.size()) {
+        throw InputError("follow a scene", scene.name,
+                         fmt::format("it now has {} triangles where it had {}; prepare it anew",
+                                     world.triangles.size(), before.bvh.order.size()));
+    }
+    data.bvh = before.bvh;
+    const auto start = std::chrono::steady_clock::now();
+    refit(data.bvh, world.positions, world.triangles);
+    data.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    describe(scene, std::move(world), data);
     return data;
 }
 

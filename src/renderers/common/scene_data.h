@@ -28,6 +28,8 @@ struct SceneData {
     std::vector<interop::TextureHeader> texture_headers;  ///< only textures in use
     std::vector<std::uint32_t> texels;                    ///< RGBA8, red in the lowest byte
     double build_seconds = 0.0;                           ///< of the BVH
+    /// Changes of what light falls on surfaces since the scene was prepared: update_scene_data().
+    std::uint32_t light_revision = 0;
 
     /// What the scene takes on the device, in bytes.
     [[nodiscard]] std::uint64_t device_bytes() const;
@@ -35,5 +37,10 @@ struct SceneData {
 
 /// Transforms the scene's geometry, builds its BVH, and lists its lights weighted by their power.
 SceneData prepare_scene_data(const Scene& scene);
+
+/// The same of a scene in which things have moved or shine otherwise: triangles keep their numbers, so that
+/// what is kept about them can be told from what is not; the BVH is refitted.
+/// @throws InputError if there are not as many triangles as before
+SceneData prepare_changed_scene(const SceneData& before, const Scene& scene);
 
 }  // namespace utsuri

@@ -19,6 +19,10 @@ RayTracer::RayTracer(Device& device, const SceneData& data, const GpuScene& scen
     look_from(camera);
 }
 
+void RayTracer::follow(const SceneChange&, Progress&) {
+    statistics_ = {};
+}
+
 void RayTracer::look_from(const Camera& camera) {
     frame_.camera = make_camera_info(camera, data_.origin, settings_.width, settings_.height);
 }

@@ -14,6 +14,8 @@ class RayTracer : public Renderer {
               const RenderSettings& settings);
 
     void prepare(Progress& progress) override;
+    /// Keeps nothing of the scene but its buffers.
+    void follow(const SceneChange& change, Progress& progress) override;
     void look_from(const Camera& camera) override;
 
   protected:

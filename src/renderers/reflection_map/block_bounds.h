@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderers/reflection_map/distance_levels.h"
+#include "renderers/reflection_map/seen_changes.h"
 
 #include "gpu/dispatch_budget.h"
 #include "gpu/kernel.h"
@@ -37,6 +38,16 @@ double measure_samples(Device& device, const std::string& title, const Kernel& k
         sum += seconds;
     }
     return sum;
+}
+
+/// What the samples of a face and its border may show.
+/// @param size texels along its edge
+inline ViewPyramid measured_face(const glm::vec3& capture_point, std::uint32_t face, std::uint32_t size) {
+    // measure_distances.comp turns rays by at most 3 / size, and a turn moves a ray's place on the face,
+    // whose half edge is 1, the more the farther it is from the middle: at a corner, sqrt(3) from the point,
+    // three times as far. Samples of distances lie at corners of texels, too.
+    const double wider = (2.0 * (interop::DISTANCE_BORDER + 1) + 9.0) / size;
+    return ViewPyramid(glm::dvec3(capture_point), face, wider);
 }
 
 /// What bounds the samples of a face: the finest level, then each coarser one from that below.

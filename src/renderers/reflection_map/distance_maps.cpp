@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <cstring>
+#include <utility>
 
 namespace utsuri {
 namespace {
@@ -81,11 +83,34 @@ DistanceMaps::DistanceMaps(Device& device, const SceneData& data, std::vector<st
       samples_(device, buffer_bytes<interop::DistanceSample>(infos.size(), samples_per_face(size)),
                "distances"),
       bounds_(device, buffer_bytes<interop::DistanceBounds>(infos.size(), bounds_per_face(size)),
-              "bounds of distances") {}
+              "bounds of distances"),
+      captured_(infos_.size() * interop::DISTANCE_FACES) {}
+
+void DistanceMaps::take_over(DistanceMaps& former) {
+    if (former.size_ != size_ || former.infos_.size() != infos_.size() || former.tolerance_ != tolerance_)
+        return;
+    samples_ = std::move(former.samples_);
+    bounds_ = std::move(former.bounds_);
+    for (std::size_t face = 0; face < captured_.size(); ++face) {
+        const std::size_t probe = face / interop::DISTANCE_FACES;
+        captured_[face] = former.captured_[face] && former.instances_[probe] == instances_[probe] &&
+                          former.probes_[probe].capture_point == probes_[probe].capture_point &&
+                          std::memcmp(&former.infos_[probe], &infos_[probe], sizeof(infos_[probe])) == 0;
+    }
+}
+
+void DistanceMaps::forget(const SeenChanges& changes) {
+    for (std::size_t face = 0; face < captured_.size(); ++face) {
+        const std::size_t probe = face / interop::DISTANCE_FACES;
+        const ViewPyramid view = measured_face(
+            probes_[probe].capture_point, static_cast<std::uint32_t>(face % interop::DISTANCE_FACES), size_);
+        if (captured_[face] && changes.moved_in(view, instances_[probe])) captured_[face] = false;
+    }
+}
 
 FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_compile, Progress& progress) {
     FrameCounts counts;
-    if (infos_.empty()) return counts;
+    if (std::find(captured_.begin(), captured_.end(), false) == captured_.end()) return counts;
     const auto start = std::chrono::steady_clock::now();
     Specialization specialization = scene.specialization();
     specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
@@ -115,6 +140,7 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
     const auto faces = static_cast<std::uint32_t>(infos_.size()) * interop::DISTANCE_FACES;
     for (std::uint32_t i = 0; i < faces; ++i) {
         if (progress.cancelled()) throw Interrupted();
+        if (captured_[i]) continue;
         const std::uint32_t probe = i / interop::DISTANCE_FACES;
         const std::uint32_t face = i % interop::DISTANCE_FACES;
         const interop::DistanceMapInfo& map = infos_[probe];
@@ -130,6 +156,7 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
         counts.rays += std::uint64_t{2} * per_face;
         const std::uint32_t first = map.first_bounds + face * bounds_per_face(size_);
         counts.gpu_seconds += bounds.run(*device_, "bound distances", push.first_sample, first, size_);
+        captured_[i] = true;
         progress.update(i + 1, faces);
     }
     return counts;

@@ -3,6 +3,7 @@
 
 #include "renderers/common/gpu_scene.h"
 #include "renderers/common/renderer.h"
+#include "renderers/reflection_map/seen_changes.h"
 #include "renderers/reflection_map/tolerance.h"
 
 #include "base/progress.h"
@@ -28,7 +29,13 @@ class DistanceMaps {
                  const std::vector<interop::ProbeInfo>& infos, std::uint32_t size,
                  Tolerance::Of tolerance = Tolerance::Of::place);
 
-    /// Traces the distances and bounds them.
+    /// Takes distances over from those of the scene before it changed, where they are as many and as fine:
+    /// of the capture points that stay where they are.
+    void take_over(DistanceMaps& former);
+    /// Drops what a change may have changed.
+    void forget(const SeenChanges& changes);
+
+    /// Traces the distances that are not there, and bounds them.
     /// @param seconds_to_compile is increased by the time of the pipelines
     FrameCounts capture(const GpuScene& scene, double& seconds_to_compile, Progress& progress);
 
@@ -57,6 +64,7 @@ class DistanceMaps {
     Buffer info_buffer_;
     Buffer samples_;
     Buffer bounds_;
+    std::vector<bool> captured_;  ///< of each face of each probe
 };
 
 /// Beyond this they would only tell apart what no map shows.

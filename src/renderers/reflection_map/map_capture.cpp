@@ -54,9 +54,10 @@ MapCapture::MapCapture(Device& device, const GpuScene& scene, const LightCache& 
 void MapCapture::prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
                          RenderStatistics& statistics, Progress& progress) {
     statistics.maps = maps_.map_count();
+    statistics.captured_maps = maps_.captured_count();
     if (statistics.maps == 0) return;
     const auto start = std::chrono::steady_clock::now();
-    maps_.turn_to(eye);
+    if (!maps_.turned()) maps_.turn_to(eye);
     tracer_.emplace(device_, "trace_cached", kernels::trace_cached,
                     tracing_specialization(scene_, maps_.kind()), tracing_bindings(scene_, light_));
     resolver_.emplace(device_, "resolve_map", kernels::resolve_map, Specialization{},

@@ -33,30 +33,58 @@ MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& 
       settings_(settings),
       map_settings_(map_settings),
       kind_(kind),
-      prepared_(device, data, scene, light, camera, kind, settings, map_settings,
-                data.requirements.reflective_instances),
-      reflectors_(maps().reflectors().triangles.empty()
-                      ? nullptr
-                      : std::make_unique<ReflectorDrawer>(device, data, maps().reflectors(), kind,
-                                                          maps().faces(), map_settings.most_cut_pieces,
-                                                          map_settings.tolerance.of,
-                                                          prepared_.specialization(), prepared_.bindings())),
-      drawer_(device, data, prepared_.specialization(), prepared_.bindings(), reflectors_.get(),
-              settings.width, settings.height) {}
+      light_(light) {
+    make_drawers(nullptr);
+}
+
+void MapRenderer::make_drawers(PreparedMaps* former) {
+    prepared_ =
+        std::make_unique<PreparedMaps>(device_, data_, scene_, light_, camera_, kind_, settings_,
+                                       map_settings_, data_.requirements.reflective_instances, former);
+    if (!maps().reflectors().triangles.empty()) {
+        reflectors_ = std::make_unique<ReflectorDrawer>(
+            device_, data_, maps().reflectors(), kind_, maps().faces(), map_settings_.most_cut_pieces,
+            map_settings_.tolerance.of, prepared_->specialization(), prepared_->bindings());
+    }
+    drawer_ =
+        std::make_unique<FrameDrawer>(device_, data_, prepared_->specialization(), prepared_->bindings(),
+                                      reflectors_.get(), settings_.width, settings_.height);
+    eye_moved_ = true;
+}
 
 interop::CameraInfo MapRenderer::camera_info() const {
     return make_camera_info(camera_, data_.origin, settings_.width, settings_.height);
 }
 
-void MapRenderer::prepare(Progress& progress) {
+void MapRenderer::warm_up() {
     const auto start = std::chrono::steady_clock::now();
-    drawer_.warm_up();
+    drawer_->warm_up();
     reflect();
     statistics_.compile_seconds += seconds_since(start);
+}
 
-    prepared_.prepare(
-        camera_, [&](const glm::vec2& jitter) { drawer_.draw_frame(draw_settings(), jitter); }, statistics_,
-        progress);
+void MapRenderer::draw_at(const glm::vec2& jitter) {
+    drawer_->draw_frame(draw_settings(), jitter);
+}
+
+void MapRenderer::prepare(Progress& progress) {
+    warm_up();
+    prepared_->prepare(
+        camera_, [&](const glm::vec2& jitter) { draw_at(jitter); }, statistics_, progress);
+}
+
+void MapRenderer::follow(const SceneChange& change, Progress& progress) {
+    statistics_ = {};
+    if (change.empty()) return;
+    // What draws reads buffers of the maps.
+    prediction_drawer_.reset();
+    drawer_.reset();
+    reflectors_.reset();
+    const std::unique_ptr<PreparedMaps> former = std::move(prepared_);
+    make_drawers(former.get());
+    warm_up();
+    prepared_->follow(
+        change, camera_, [&](const glm::vec2& jitter) { draw_at(jitter); }, statistics_, progress);
 }
 
 void MapRenderer::look_from(const Camera& camera) {
@@ -84,25 +112,25 @@ bool MapRenderer::draw_frame() {
     if (eye_moved_) reflect();
     const Progress silent;
     do {
-        drawer_.draw_frame(draw_settings());
-    } while (prepared_.complete(statistics_, silent));
+        drawer_->draw_frame(draw_settings());
+    } while (prepared_->complete(statistics_, silent));
     return true;
 }
 
 FrameCounts MapRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
     const double vertex_seconds = eye_moved_ ? reflect() : 0.0;
-    FrameCounts counts = drawer_.add_samples(film, draw_settings(), count, progress,
-                                             [&] { return prepared_.complete(statistics_, progress); });
+    FrameCounts counts = drawer_->add_samples(film, draw_settings(), count, progress,
+                                              [&] { return prepared_->complete(statistics_, progress); });
     counts.gpu_seconds += vertex_seconds;
     return counts;
 }
 
 PredictionDrawer& MapRenderer::prediction_drawer() {
-    UTSURI_CHECK(prepared_.has_distances());
+    UTSURI_CHECK(prepared_->has_distances());
     if (eye_moved_) reflect();
     if (!prediction_drawer_) {
-        prediction_drawer_.emplace(device_, data_, kind_, maps().faces().size(), prepared_.specialization(),
-                                   prepared_.bindings(), *reflectors_, settings_.width, settings_.height);
+        prediction_drawer_.emplace(device_, data_, kind_, maps().faces().size(), prepared_->specialization(),
+                                   prepared_->bindings(), *reflectors_, settings_.width, settings_.height);
     }
     return *prediction_drawer_;
 }
@@ -126,7 +154,7 @@ std::vector<MeasuredError> MapRenderer::measure_errors() {
 std::vector<float> MapRenderer::traced_pixels() {
     if (kind_ != MapKind::hybrid) return {};
     draw_frame();
-    return drawer_.traced_pixels();
+    return drawer_->traced_pixels();
 }
 
 }  // namespace utsuri

@@ -22,13 +22,14 @@ class MapRenderer : public Renderer {
                 const MapSettings& map_settings);
 
     void prepare(Progress& progress) override;
+    void follow(const SceneChange& change, Progress& progress) override;
 
     /// Moves the eye: all that it costs is the pass over the reflectors' vertices and the drawing. A sphere
     /// map stays turned the way the first eye looked.
     void look_from(const Camera& camera) override;
     bool draw_frame() override;
     /// What draw_frame() drew.
-    [[nodiscard]] Image frame() const { return drawer_.frame(); }
+    [[nodiscard]] Image frame() const { return drawer_->frame(); }
 
     /// Needs MapSettings::predicts_errors, where the kind of map keeps no distances.
     [[nodiscard]] std::vector<PredictedError> predict_errors() override;
@@ -36,8 +37,8 @@ class MapRenderer : public Renderer {
     /// Of MapKind::hybrid only. Draws the present view: frame() is it afterwards.
     [[nodiscard]] std::vector<float> traced_pixels() override;
 
-    [[nodiscard]] const ReflectionMaps& maps() const { return prepared_.maps(); }
-    [[nodiscard]] const RoughMaps& rough_maps() const { return prepared_.rough_maps(); }
+    [[nodiscard]] const ReflectionMaps& maps() const { return prepared_->maps(); }
+    [[nodiscard]] const RoughMaps& rough_maps() const { return prepared_->rough_maps(); }
     /// None where nothing is reflective.
     [[nodiscard]] const ReflectorDrawer* reflectors() const { return reflectors_.get(); }
 
@@ -45,6 +46,11 @@ class MapRenderer : public Renderer {
     FrameCounts render(Film& film, std::uint32_t count, Progress& progress) override;
 
   private:
+    /// @param former see PreparedMaps
+    void make_drawers(PreparedMaps* former);
+    void warm_up();
+    /// Draws the present view for PreparedMaps.
+    void draw_at(const glm::vec2& jitter);
     [[nodiscard]] DrawSettings draw_settings() const;
     /// The pass over the reflectors' polygons for the present eye.
     double reflect();
@@ -62,9 +68,10 @@ class MapRenderer : public Renderer {
     RenderSettings settings_;
     MapSettings map_settings_;
     MapKind kind_;
-    PreparedMaps prepared_;
+    FilledLight& light_;
+    std::unique_ptr<PreparedMaps> prepared_;
     std::unique_ptr<ReflectorDrawer> reflectors_;
-    FrameDrawer drawer_;
+    std::unique_ptr<FrameDrawer> drawer_;
     std::optional<PredictionDrawer> prediction_drawer_;
 };
 

@@ -68,15 +68,23 @@ PlanarRenderer::PlanarRenderer(Device& device, const SceneData& data, const GpuS
     : device_(device),
       data_(data),
       scene_(scene),
+      camera_(camera),
       kind_(kind),
       settings_(settings),
       map_settings_(map_settings),
-      mirrors_(find_plane_mirrors(data)),
-      prepared_(device, data, scene, light, camera, kind, settings, map_settings,
-                curved_instances(data, mirrors_)),
-      drawer_(device, data, mirrors_, prepared_.maps().reflectors(), kind, prepared_.maps().faces(),
-              prepared_.specialization(), prepared_.bindings(), settings.width, settings.height) {
+      light_(light) {
+    make_drawers(nullptr);
     look_from(camera);
+}
+
+void PlanarRenderer::make_drawers(PreparedMaps* former) {
+    mirrors_ = find_plane_mirrors(data_);
+    prepared_ = std::make_unique<PreparedMaps>(device_, data_, scene_, light_, camera_, kind_, settings_,
+                                               map_settings_, curved_instances(data_, mirrors_), former);
+    const ReflectionMaps& maps = prepared_->maps();
+    drawer_ = std::make_unique<PlanarDrawer>(device_, data_, mirrors_, maps.reflectors(), kind_, maps.faces(),
+                                             prepared_->specialization(), prepared_->bindings(),
+                                             settings_.width, settings_.height);
 }
 
 ImageSettings PlanarRenderer::image_settings() const {
@@ -84,14 +92,36 @@ ImageSettings PlanarRenderer::image_settings() const {
             static_cast<float>(map_settings_.tolerance.most)};
 }
 
-void PlanarRenderer::prepare(Progress& progress) {
+void PlanarRenderer::warm_up() {
     const auto start = std::chrono::steady_clock::now();
-    drawer_.warm_up();
+    drawer_->warm_up();
     statistics_.compile_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    prepared_.prepare(
-        camera_, [&](const glm::vec2& jitter) { drawer_.draw_frame(images_, image_settings(), jitter); },
-        statistics_, progress);
+}
+
+void PlanarRenderer::draw_at(const glm::vec2& jitter) {
+    drawer_->draw_frame(images_, image_settings(), jitter);
+}
+
+void PlanarRenderer::prepare(Progress& progress) {
+    warm_up();
+    prepared_->prepare(
+        camera_, [&](const glm::vec2& jitter) { draw_at(jitter); }, statistics_, progress);
+}
+
+void PlanarRenderer::follow(const SceneChange& change, Progress& progress) {
+    statistics_ = {};
+    if (change.empty()) return;
+    // What draws reads buffers of the maps.
+    prediction_drawer_.reset();
+    curved_.reset();
+    drawer_.reset();
+    const std::unique_ptr<PreparedMaps> former = std::move(prepared_);
+    make_drawers(former.get());
+    look_from(camera_);
+    warm_up();
+    prepared_->follow(
+        change, camera_, [&](const glm::vec2& jitter) { draw_at(jitter); }, statistics_, progress);
 }
 
 void PlanarRenderer::look_from(const Camera& camera) {
@@ -100,31 +130,31 @@ void PlanarRenderer::look_from(const Camera& camera) {
     in_scene.position -= data_.origin;
     const std::uint64_t least_window =
         kind_ == MapKind::hybrid ? data_.bvh.triangles.size() / kTrianglesPerRay : 0;
-    images_ =
-        plan_mirror_images(mirrors_.mirrors, in_scene, settings_.width, settings_.height,
-                           static_cast<double>(drawer_.near_plane()), settings_.specular_depth, least_window);
+    images_ = plan_mirror_images(mirrors_.mirrors, in_scene, settings_.width, settings_.height,
+                                 static_cast<double>(drawer_->near_plane()), settings_.specular_depth,
+                                 least_window);
 }
 
 bool PlanarRenderer::draw_frame() {
     const Progress silent;
     do {
-        drawer_.draw_frame(images_, image_settings(), {0.5f, 0.5f});
-    } while (prepared_.complete(statistics_, silent));
+        draw_at({0.5f, 0.5f});
+    } while (prepared_->complete(statistics_, silent));
     return true;
 }
 
 FrameCounts PlanarRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
-    return drawer_.add_samples(film, images_, image_settings(), count, progress,
-                               [&] { return prepared_.complete(statistics_, progress); });
+    return drawer_->add_samples(film, images_, image_settings(), count, progress,
+                                [&] { return prepared_->complete(statistics_, progress); });
 }
 
 PredictionDrawer& PlanarRenderer::prediction_drawer() {
     if (!prediction_drawer_) {
-        const ReflectionMaps& maps = prepared_.maps();
+        const ReflectionMaps& maps = prepared_->maps();
         curved_.emplace(device_, data_, maps.reflectors(), kind_, maps.faces(), std::nullopt,
-                        map_settings_.tolerance.of, prepared_.specialization(), prepared_.bindings());
-        prediction_drawer_.emplace(device_, data_, kind_, maps.faces().size(), prepared_.specialization(),
-                                   prepared_.bindings(), *curved_, settings_.width, settings_.height);
+                        map_settings_.tolerance.of, prepared_->specialization(), prepared_->bindings());
+        prediction_drawer_.emplace(device_, data_, kind_, maps.faces().size(), prepared_->specialization(),
+                                   prepared_->bindings(), *curved_, settings_.width, settings_.height);
     }
     return *prediction_drawer_;
 }
@@ -133,12 +163,12 @@ template <typename Errors, typename Tell>
 std::vector<Errors> PlanarRenderer::find_errors(const Errors& of_image, const Errors& without_image,
                                                 Tell tell) {
     std::vector<Errors> errors(std::size_t{settings_.width} * settings_.height, {-1.0f, -1.0f, -1.0f, -1.0f});
-    if (prepared_.has_distances()) {
+    if (prepared_->has_distances()) {
         errors = tell(prediction_drawer(),
                       make_camera_info(camera_, data_.origin, settings_.width, settings_.height));
     }
     draw_frame();
-    const std::vector<glm::vec4> pixels = drawer_.pixels();
+    const std::vector<glm::vec4> pixels = drawer_->pixels();
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (shows_image(pixels[i].w)) {
             errors[i] = of_image;
@@ -171,7 +201,7 @@ std::vector<MeasuredError> PlanarRenderer::measure_errors() {
         });
     const interop::CameraInfo camera =
         make_camera_info(camera_, data_.origin, settings_.width, settings_.height);
-    const std::vector<glm::vec4> pixels = drawer_.pixels();
+    const std::vector<glm::vec4> pixels = drawer_->pixels();
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (!shows_plane_mirror(pixels[i].w)) continue;
         const glm::vec2 centre(static_cast<float>(i % settings_.width) + 0.5f,
@@ -186,7 +216,7 @@ std::vector<MeasuredError> PlanarRenderer::measure_errors() {
 std::vector<float> PlanarRenderer::traced_pixels() {
     if (kind_ != MapKind::hybrid) return {};
     draw_frame();
-    return traced_pixels_of(drawer_.pixels());
+    return traced_pixels_of(drawer_->pixels());
 }
 
 }  // namespace utsuri

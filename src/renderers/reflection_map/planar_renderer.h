@@ -5,6 +5,7 @@
 #include "renderers/reflection_map/prediction_drawer.h"
 #include "renderers/reflection_map/prepared_maps.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,7 @@ class PlanarRenderer : public Renderer {
                    const MapSettings& map_settings);
 
     void prepare(Progress& progress) override;
+    void follow(const SceneChange& change, Progress& progress) override;
     void look_from(const Camera& camera) override;
     bool draw_frame() override;
 
@@ -40,6 +42,11 @@ class PlanarRenderer : public Renderer {
     FrameCounts render(Film& film, std::uint32_t count, Progress& progress) override;
 
   private:
+    /// @param former see PreparedMaps
+    void make_drawers(PreparedMaps* former);
+    void warm_up();
+    /// Draws the present view for PreparedMaps.
+    void draw_at(const glm::vec2& jitter);
     [[nodiscard]] ImageSettings image_settings() const;
     /// Of what is curved; made when it is first needed.
     PredictionDrawer& prediction_drawer();
@@ -54,9 +61,10 @@ class PlanarRenderer : public Renderer {
     MapKind kind_;
     RenderSettings settings_;
     MapSettings map_settings_;
+    FilledLight& light_;
     PlaneMirrors mirrors_;
-    PreparedMaps prepared_;
-    PlanarDrawer drawer_;
+    std::unique_ptr<PreparedMaps> prepared_;
+    std::unique_ptr<PlanarDrawer> drawer_;
     std::optional<ReflectorDrawer> curved_;  ///< whose errors are predicted
     std::optional<PredictionDrawer> prediction_drawer_;
     std::vector<MirrorImage> images_;

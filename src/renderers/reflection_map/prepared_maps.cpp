@@ -42,8 +42,10 @@ RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps) {
 
 PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
                            const Camera& eye, MapKind kind, const RenderSettings& settings,
-                           const MapSettings& map_settings, const std::vector<std::uint32_t>& instances)
-    : scene_(scene),
+                           const MapSettings& map_settings, const std::vector<std::uint32_t>& instances,
+                           PreparedMaps* former)
+    : data_(data),
+      scene_(scene),
       filled_light_(light),
       settings_(settings),
       kind_(kind),
@@ -52,16 +54,43 @@ PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene
       radiance_bounds_(make_radiance_bounds(device, maps_, kind, map_settings)),
       rough_maps_(device, data, rough_map_settings(kind, map_settings)),
       light_cache_(device, data, light.settings),
-      capture_(device, scene, light_cache_, maps_, settings, map_settings) {}
+      capture_(device, scene, light_cache_, maps_, settings, map_settings) {
+    if (former == nullptr) return;
+    maps_.take_over(former->maps_);
+    if (distances_ && former->distances_) distances_->take_over(*former->distances_);
+    if (radiance_bounds_ && former->radiance_bounds_) radiance_bounds_->take_over(*former->radiance_bounds_);
+}
 
 void PreparedMaps::prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
                            RenderStatistics& statistics, Progress& progress) {
-    FrameCounts& counts = statistics.prepare_counts;
     light_cache_.fill(scene_, settings_.seed, filled_light_, progress);
+    count_light(statistics);
+    capture(eye, draw, statistics, progress);
+}
+
+void PreparedMaps::follow(const SceneChange& change, const Camera& eye,
+                          const std::function<void(const glm::vec2& jitter)>& draw,
+                          RenderStatistics& statistics, Progress& progress) {
+    const bool lit_otherwise = change.geometry || change.lights;
+    light_cache_.fill(scene_, settings_.seed, filled_light_, progress);
+    if (lit_otherwise) count_light(statistics);
+    const SeenChanges changes(data_, change,
+                              lit_otherwise ? filled_light_.changed : std::vector<std::uint32_t>());
+    maps_.forget(changes);
+    if (distances_) distances_->forget(changes);
+    if (radiance_bounds_) radiance_bounds_->forget(changes);
+    capture(eye, draw, statistics, progress);
+}
+
+void PreparedMaps::count_light(RenderStatistics& statistics) const {
     statistics.prepare_seconds += filled_light_.seconds;
     statistics.compile_seconds += filled_light_.compile_seconds;
-    accumulate(counts, filled_light_.counts);
+    accumulate(statistics.prepare_counts, filled_light_.counts);
+}
 
+void PreparedMaps::capture(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
+                           RenderStatistics& statistics, Progress& progress) {
+    FrameCounts& counts = statistics.prepare_counts;
     const auto start = std::chrono::steady_clock::now();
     double compile_seconds = 0.0;
     accumulate(counts, rough_maps_.capture(scene_, light_cache_, settings_, compile_seconds, progress));

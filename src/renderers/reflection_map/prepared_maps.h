@@ -24,9 +24,12 @@ class PreparedMaps {
     /// @param light is filled by the first that needs it; its cost counts as if it had been filled here
     /// @param eye the first one
     /// @param instances that get reflection maps, ascending
+    /// @param former of the scene before it changed: what they are and follow() need not make anew is taken
+    /// over from them
     PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
                  const Camera& eye, MapKind kind, const RenderSettings& settings,
-                 const MapSettings& map_settings, const std::vector<std::uint32_t>& instances);
+                 const MapSettings& map_settings, const std::vector<std::uint32_t>& instances,
+                 PreparedMaps* former = nullptr);
     PreparedMaps(const PreparedMaps&) = delete;
     PreparedMaps& operator=(const PreparedMaps&) = delete;
 
@@ -36,6 +39,11 @@ class PreparedMaps {
     /// @throws Interrupted if progress says so
     void prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
                  RenderStatistics& statistics, Progress& progress);
+    /// The same after a change of the scene that these were made with `former` maps for: makes those anew
+    /// that see something of the change, and of reflection maps those that the present view looks up.
+    void follow(const SceneChange& change, const Camera& eye,
+                const std::function<void(const glm::vec2& jitter)>& draw, RenderStatistics& statistics,
+                Progress& progress);
     /// See MapCapture::complete().
     bool complete(RenderStatistics& statistics, const Progress& progress) {
         return capture_.complete(statistics, progress);
@@ -50,6 +58,12 @@ class PreparedMaps {
     [[nodiscard]] bool has_distances() const { return distances_.has_value(); }
 
   private:
+    void count_light(RenderStatistics& statistics) const;
+    /// Captures what is not there yet.
+    void capture(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
+                 RenderStatistics& statistics, Progress& progress);
+
+    const SceneData& data_;
     const GpuScene& scene_;
     FilledLight& filled_light_;
     RenderSettings settings_;

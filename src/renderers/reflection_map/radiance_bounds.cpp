@@ -45,12 +45,33 @@ RadianceBounds::RadianceBounds(Device& device, std::vector<std::uint32_t> instan
       size_(size),
       samples_(device, samples_per_face(size) * sizeof(interop::RadianceSample), "radiance of a face"),
       darkest_(device, bytes_of_bounds(device, infos.size(), size), "darkest of blocks"),
-      brightest_(device, bytes_of_bounds(device, infos.size(), size), "brightest of blocks") {}
+      brightest_(device, bytes_of_bounds(device, infos.size(), size), "brightest of blocks"),
+      captured_(infos.size() * interop::DISTANCE_FACES) {}
+
+void RadianceBounds::take_over(RadianceBounds& former) {
+    if (former.size_ != size_ || former.probes_.size() != probes_.size()) return;
+    darkest_ = std::move(former.darkest_);
+    brightest_ = std::move(former.brightest_);
+    for (std::size_t face = 0; face < captured_.size(); ++face) {
+        const std::size_t probe = face / interop::DISTANCE_FACES;
+        captured_[face] = former.captured_[face] && former.instances_[probe] == instances_[probe] &&
+                          former.probes_[probe].capture_point == probes_[probe].capture_point;
+    }
+}
+
+void RadianceBounds::forget(const SeenChanges& changes) {
+    for (std::size_t face = 0; face < captured_.size(); ++face) {
+        const std::size_t probe = face / interop::DISTANCE_FACES;
+        const ViewPyramid view = measured_face(
+            probes_[probe].capture_point, static_cast<std::uint32_t>(face % interop::DISTANCE_FACES), size_);
+        if (captured_[face] && changes.look_otherwise_in(view, instances_[probe])) captured_[face] = false;
+    }
+}
 
 FrameCounts RadianceBounds::capture(const GpuScene& scene, const LightCache& light,
                                     double& seconds_to_compile, Progress& progress) {
     FrameCounts counts;
-    if (probes_.empty()) return counts;
+    if (std::find(captured_.begin(), captured_.end(), false) == captured_.end()) return counts;
     const auto start = std::chrono::steady_clock::now();
     Specialization specialization = scene.specialization();
     specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
@@ -81,6 +102,7 @@ FrameCounts RadianceBounds::capture(const GpuScene& scene, const LightCache& lig
     const auto faces = static_cast<std::uint32_t>(probes_.size()) * interop::DISTANCE_FACES;
     for (std::uint32_t i = 0; i < faces; ++i) {
         if (progress.cancelled()) throw Interrupted();
+        if (captured_[i]) continue;
         const std::uint32_t probe = i / interop::DISTANCE_FACES;
         interop::MeasureRadiancePush push{};
         push.capture_point = probes_[probe].capture_point;
@@ -91,6 +113,7 @@ FrameCounts RadianceBounds::capture(const GpuScene& scene, const LightCache& lig
         counts.rays += std::uint64_t{2} * per_face;
         const std::uint32_t first = i * bounds_per_face(size_);
         counts.gpu_seconds += bounds.run(*device_, "bound radiance", 0, first, size_);
+        captured_[i] = true;
         progress.update(i + 1, faces);
     }
     return counts;

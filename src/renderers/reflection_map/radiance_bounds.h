@@ -3,6 +3,7 @@
 
 #include "renderers/common/gpu_scene.h"
 #include "renderers/common/light_cache.h"
+#include "renderers/reflection_map/seen_changes.h"
 
 #include "base/progress.h"
 
@@ -25,7 +26,14 @@ class RadianceBounds {
     RadianceBounds(Device& device, std::vector<std::uint32_t> instances,
                    const std::vector<interop::ProbeInfo>& infos, std::uint32_t size);
 
-    /// Traces rays along those that measure distances, and bounds what they bring.
+    /// Takes bounds over from those of the scene before it changed, where they are as many and as fine: of
+    /// the capture points that stay where they are.
+    void take_over(RadianceBounds& former);
+    /// Drops what a change may have changed.
+    void forget(const SeenChanges& changes);
+
+    /// Traces rays along those that measure distances, of faces that are not bounded yet, and bounds what
+    /// they bring.
     /// @param light filled
     /// @param seconds_to_compile is increased by the time of the pipelines
     FrameCounts capture(const GpuScene& scene, const LightCache& light, double& seconds_to_compile,
@@ -41,6 +49,7 @@ class RadianceBounds {
     Buffer samples_;  ///< of one face
     Buffer darkest_;
     Buffer brightest_;
+    std::vector<bool> captured_;  ///< of each face of each probe
 };
 
 }  // namespace utsuri

@@ -190,10 +190,50 @@ void ReflectionMaps::turn_to(const Camera& eye) {
     info_buffer_.upload(std::as_bytes(std::span(infos_)));
 }
 
+void ReflectionMaps::take_over(ReflectionMaps& former) {
+    const auto same_layout = [](const interop::ProbeInfo& a, const interop::ProbeInfo& b) {
+        return a.first_texel == b.first_texel && a.map_size == b.map_size;
+    };
+    if (!std::equal(infos_.begin(), infos_.end(), former.infos_.begin(), former.infos_.end(), same_layout))
+        return;
+    texels_ = std::move(former.texels_);
+    states_ = std::move(former.states_);
+    const std::vector<std::uint32_t> now = instances();
+    const std::vector<std::uint32_t> then = former.instances();
+    std::vector<std::uint32_t> moved;
+    for (std::uint32_t probe = 0; probe < infos_.size(); ++probe) {
+        interop::ProbeInfo& info = infos_[probe];
+        const interop::ProbeInfo& before = former.infos_[probe];
+        info.map_right = before.map_right;
+        info.map_up = before.map_up;
+        info.map_forward = before.map_forward;
+        if (info.capture_point == before.capture_point && now[probe] == then[probe]) continue;
+        for (std::uint32_t face = 0; face < maps_per_probe(); ++face)
+            moved.push_back(probe * maps_per_probe() + face);
+    }
+    if (!infos_.empty()) info_buffer_.upload(std::as_bytes(std::span(infos_)));
+    set_states(moved, interop::MAP_EMPTY);
+}
+
+void ReflectionMaps::forget(const SeenChanges& changes) {
+    std::vector<std::uint32_t> changed;
+    const std::vector<std::uint32_t> owners = instances();
+    for (std::uint32_t map = 0; map < map_count(); ++map) {
+        // A sphere map sees all around.
+        if (kind_ == MapKind::sphere ||
+            changes.look_otherwise_in(ViewPyramid(map_camera(map)), owners[map / maps_per_probe()])) {
+            changed.push_back(map);
+        }
+    }
+    set_states(changed, interop::MAP_EMPTY);
+}
+
 void ReflectionMaps::want_all() {
-    std::vector<std::uint32_t> states(1 + map_count(), interop::MAP_WANTED);
-    states.front() = map_count();
-    states_.upload(std::as_bytes(std::span(states)));
+    auto states = states_.download_records<std::uint32_t>(1 + map_count());
+    for (std::size_t map = 1; map < states.size(); ++map) {
+        if (states[map] == interop::MAP_EMPTY) states[map] = interop::MAP_WANTED;
+    }
+    count_states(states);
 }
 
 std::vector<std::uint32_t> ReflectionMaps::wanted() const {
@@ -206,10 +246,14 @@ std::vector<std::uint32_t> ReflectionMaps::wanted() const {
     return maps;
 }
 
-void ReflectionMaps::note_captured(const std::vector<std::uint32_t>& maps) {
+void ReflectionMaps::set_states(const std::vector<std::uint32_t>& maps, std::uint32_t state) {
     auto states = states_.download_records<std::uint32_t>(1 + map_count());
     for (const std::uint32_t map : maps)
-        states[1 + map] = interop::MAP_CAPTURED;
+        states[1 + map] = state;
+    count_states(std::move(states));
+}
+
+void ReflectionMaps::count_states(std::vector<std::uint32_t> states) {
     const auto first = states.begin() + 1;
     states.front() = static_cast<std::uint32_t>(std::count(first, states.end(), interop::MAP_WANTED));
     captured_ = static_cast<std::uint32_t>(std::count(first, states.end(), interop::MAP_CAPTURED));

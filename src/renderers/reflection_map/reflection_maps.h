@@ -9,6 +9,7 @@
 #include "renderers/reflection_map/proxy.h"
 #include "renderers/reflection_map/reflector_drawer.h"
 #include "renderers/reflection_map/reflectors.h"
+#include "renderers/reflection_map/seen_changes.h"
 #include "renderers/reflection_map/tolerance.h"
 
 #include <glm/vec3.hpp>
@@ -55,13 +56,22 @@ class ReflectionMaps {
 
     /// Turns sphere maps, before any is captured, to an eye whose axes they follow.
     void turn_to(const Camera& eye);
+    [[nodiscard]] bool turned() const {
+        return !infos_.empty() && infos_.front().map_forward != glm::vec3(0.0f);
+    }
 
-    /// Asks for all maps, as if something had looked them up.
+    /// Takes maps over from those of the scene before it changed, where they are as many and as fine: of the
+    /// capture points that stay where they are.
+    void take_over(ReflectionMaps& former);
+    /// Drops maps that a change may have changed.
+    void forget(const SeenChanges& changes);
+
+    /// Asks for all maps that are not there, as if something had looked them up.
     void want_all();
     /// Maps that were looked up since they were last captured, ascending: each is number
     /// probe * maps_per_probe() + face.
     [[nodiscard]] std::vector<std::uint32_t> wanted() const;
-    void note_captured(const std::vector<std::uint32_t>& maps);
+    void note_captured(const std::vector<std::uint32_t>& maps) { set_states(maps, interop::MAP_CAPTURED); }
     [[nodiscard]] std::uint32_t captured_count() const { return captured_; }
     [[nodiscard]] std::uint32_t map_count() const;
     /// Texels along an edge of the largest maps; 0 without maps.
@@ -94,6 +104,10 @@ class ReflectionMaps {
     [[nodiscard]] const std::vector<interop::MapFace>& faces() const { return faces_; }
 
   private:
+    void set_states(const std::vector<std::uint32_t>& maps, std::uint32_t state);
+    /// Makes states known, the number of each kind with them.
+    void count_states(std::vector<std::uint32_t> states);
+
     MapKind kind_;
     MapSettings settings_;
     Reflectors reflectors_;
