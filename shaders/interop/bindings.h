@@ -55,6 +55,8 @@ INTEROP_CONSTANT BINDING_RADIANCE_SAMPLES = 45u;    ///< of one face about a cap
 INTEROP_CONSTANT BINDING_DARKEST = 46u;  ///< of each block of directions, numbered as distance bounds
 INTEROP_CONSTANT BINDING_BRIGHTEST = 47u;
 INTEROP_CONSTANT BINDING_MAP_STATES = 48u;  ///< how many maps are wanted, then the MAP_ state of each
+INTEROP_CONSTANT BINDING_MAP_INVERSE_DISTANCES = 49u;    ///< of each texel of what rough maps are made of
+INTEROP_CONSTANT BINDING_ROUGH_INVERSE_DISTANCES = 50u;  ///< of each texel of rough maps
 
 INTEROP_END
 #endif

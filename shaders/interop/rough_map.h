@@ -36,6 +36,15 @@ struct LobeAlbedo {
     float lost;      ///< mean of Schlick's weight over the light that a Lambert lobe reflects
 };
 
+/// One ray through the centre of each texel of what rough maps are made of.
+struct MeasureInverseDistancesPush {
+    vec3 capture_point;
+    uint excluded_instance;
+    uint size;   ///< texels along an edge of a face
+    uint begin;  ///< texels of this dispatch: [begin, end) of all faces
+    uint end;
+};
+
 struct HalveMapPush {
     uint first_source;  ///< texels of the finer level, all faces
     uint first_texel;   ///< of the coarser level

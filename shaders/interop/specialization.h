@@ -24,7 +24,8 @@ INTEROP_CONSTANT SPEC_WRITES = 15u;       ///< the second run of a kernel that f
 INTEROP_CONSTANT SPEC_DISTANCE_SIZE = 16u;  ///< texels along an edge of a face of distances, a power of two
 INTEROP_CONSTANT SPEC_HAS_PROXY_PLANES = 17u;  ///< not all proxies are boxes
 INTEROP_CONSTANT SPEC_MOST_PROBES = 18u;       ///< capture points that a reflector has, at most
-INTEROP_CONSTANT SPEC_COUNT = 19u;
+INTEROP_CONSTANT SPEC_KEEPS_DISTANCES = 19u;   ///< rough maps are made with inverse distances
+INTEROP_CONSTANT SPEC_COUNT = 20u;
 
 INTEROP_END
 #endif

@@ -1,20 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 // One level of a rough map: what the GGX lobe of one width reflects of a cube of maps to a viewer at its normal, weighted by
 // the cosine (the first factor of the split sum, Karis 2013). Not sampled but summed over blocks of texels, small where the
-// lobe bends: without noise however small and bright lights are, and exact where all is uniform.
+// lobe bends: without noise however small and bright lights are, and exact where all is uniform. Where distances are kept, so
+// is one over the distance that the light comes from.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/bindings.h"
 #include "interop/rough_map.h"
+#include "interop/specialization.h"
 #include "lib/cube.glsl"
+#include "lib/light_distance.glsl"
 
 layout(local_size_x = 64) in;
+
+layout(constant_id = SPEC_KEEPS_DISTANCES) const bool KEEPS_DISTANCES = false;
 
 layout(push_constant, scalar) uniform Push { PrefilterMapPush push; };
 
 layout(scalar, binding = BINDING_MAP_TEXELS) readonly restrict buffer MapTexels { vec3 map_texels[]; };
 layout(scalar, binding = BINDING_ROUGH_TEXELS) writeonly restrict buffer RoughTexels { vec3 rough_texels[]; };
+layout(scalar, binding = BINDING_MAP_INVERSE_DISTANCES) readonly restrict buffer MapInverseDistances {
+    float map_inverse_distances[];
+};
+layout(scalar, binding = BINDING_ROUGH_INVERSE_DISTANCES) writeonly restrict buffer RoughInverseDistances {
+    float rough_inverse_distances[];
+};
 
 /// Half the edge of a block, at most, as a share of the angle over which the lobe changes: there, 4/3 of its square is the
 /// error of taking the lobe at the block's centre. Blocks of wide lobes are no larger than this.
@@ -53,9 +64,11 @@ bool next_block(inout Block block, uint top) {
     return false;
 }
 
-vec3 sum_blocks(vec3 n) {
+/// What the lobe reflects and, last, from how far away, as LightDistance has it.
+vec4 sum_blocks(vec3 n) {
     uint top = uint(findMSB(push.source_size));
     vec3 sum = vec3(0.0);
+    LightDistance distance = LightDistance(0.0, 0.0);
     float weights = 0.0;
     for (uint face = 0u; face < ROUGH_MAP_FACES; ++face) {
         Block block = Block(top, uvec2(0u));
@@ -71,14 +84,15 @@ vec3 sum_blocks(vec3 n) {
             }
             float weight = lobe_weight(chord2) * cube_solid_angle(p) / float(edge * edge);
             if (weight > 0.0) {
-                uint first = cube_level(push.source_size, block.level);
-                sum += weight * map_texels[first + (face * edge + block.place.y) * edge + block.place.x];
+                uint source = cube_level(push.source_size, block.level) + (face * edge + block.place.y) * edge + block.place.x;
+                sum += weight * map_texels[source];
+                if (KEEPS_DISTANCES) add_light(distance, weight * map_texels[source], map_inverse_distances[source]);
                 weights += weight;
             }
             more = next_block(block, top);
         }
     }
-    return sum / weights;
+    return vec4(sum / weights, distance.inverse);
 }
 
 void main() {
@@ -88,5 +102,7 @@ void main() {
     vec2 texel = vec2(index % stride, index / stride % stride) - float(ROUGH_MAP_BORDER);
     vec2 p = (texel + 0.5) * (2.0 / float(push.size)) - 1.0;
     uint face = index / (stride * stride);
-    rough_texels[push.first_texel + index] = sum_blocks(normalize(cube_vector(vec3(p, 1.0), face)));
+    vec4 seen = sum_blocks(normalize(cube_vector(vec3(p, 1.0), face)));
+    rough_texels[push.first_texel + index] = seen.rgb;
+    if (KEEPS_DISTANCES) rough_inverse_distances[push.first_texel + index] = seen.w;
 }

@@ -11,23 +11,47 @@ layout(constant_id = SPEC_HAS_PROXY_PLANES) const uint HAS_PROXY_PLANES = 0u;
 layout(scalar, binding = BINDING_ROUGH_MAPS) readonly restrict buffer RoughMaps { RoughMapInfo rough_maps[]; };
 layout(scalar, binding = BINDING_ROUGH_LEVELS) readonly restrict buffer RoughLevels { RoughLevel rough_levels[]; };
 layout(scalar, binding = BINDING_ROUGH_TEXELS) readonly restrict buffer RoughTexels { vec3 rough_texels[]; };
+layout(scalar, binding = BINDING_ROUGH_INVERSE_DISTANCES) readonly restrict buffer RoughInverseDistances {
+    float rough_inverse_distances[];
+};
 layout(scalar, binding = BINDING_LOBE_ALBEDO) readonly restrict buffer LobeAlbedos { LobeAlbedo lobe_albedos[]; };
 layout(scalar, binding = BINDING_ROUGH_PROXY_PLANES) readonly restrict buffer RoughProxyPlanes {
     ProxyPlane rough_proxy_planes[];
 };
 
-/// Bilinear value of a level.
-vec3 rough_level(RoughLevel level, vec3 direction) {
+/// The levels next to a roughness.
+struct RoughLobe {
+    RoughLevel below;
+    RoughLevel above;
+    float share;  ///< of the level above; 0: it is none
+};
+
+/// Four texels about a direction: that of least coordinates, and where from its centre on the direction points.
+struct RoughTexel {
+    uint least;
+    uint stride;
+    vec2 offset;
+};
+
+RoughTexel rough_texel(RoughLevel level, vec3 direction) {
     uint face = cube_face(direction);
     vec3 c = cube_components(direction, face);
     uint stride = level.size + 2u * ROUGH_MAP_BORDER;
     vec2 position = (0.5 * float(level.size)) * (c.xy / c.z + 1.0) + float(ROUGH_MAP_BORDER) - 0.5;
     vec2 corner = clamp(floor(position), vec2(0.0), vec2(float(stride - 2u)));
     vec2 f = clamp(position - corner, 0.0, 1.0);
-    uint texel = level.first_texel + (face * stride + uint(corner.y)) * stride + uint(corner.x);
-    return mix(mix(rough_texels[texel], rough_texels[texel + 1u], f.x),
-               mix(rough_texels[texel + stride], rough_texels[texel + stride + 1u], f.x), f.y);
+    return RoughTexel(level.first_texel + (face * stride + uint(corner.y)) * stride + uint(corner.x), stride, f);
 }
+
+/// Bilinear value of a level.
+vec3 rough_level(RoughLevel level, vec3 direction) {
+    RoughTexel texel = rough_texel(level, direction);
+    return mix(mix(rough_texels[texel.least], rough_texels[texel.least + 1u], texel.offset.x),
+               mix(rough_texels[texel.least + texel.stride], rough_texels[texel.least + texel.stride + 1u], texel.offset.x),
+               texel.offset.y);
+}
+
+#include "kernels/rough_distance.glsl"
 
 vec3 leave_rough_proxy(vec3 origin, vec3 direction, ProxyInfo proxy) {
     if (HAS_PROXY_PLANES == 0u || proxy.planes == 0u) return leave_box(origin, direction, proxy.lower, proxy.upper);
@@ -39,23 +63,29 @@ vec3 leave_rough_proxy(vec3 origin, vec3 direction, ProxyInfo proxy) {
 
 /// The direction from the capture point that stands for the mirrored one. Sphere maps are in eye space: rough lobes have
 /// none, and take what is far.
-vec3 rough_direction(Surface surface, RoughMapInfo map, vec3 wi) {
-    if (MAP_KIND == MAP_KIND_PROXY || MAP_KIND == MAP_KIND_DISTANCE) {
+vec3 rough_direction(Surface surface, RoughMapInfo map, RoughLobe lobe, vec3 wi) {
+    if (MAP_KIND == MAP_KIND_PROXY)
         return direction_to(leave_rough_proxy(surface.position, wi, map.proxy), map.capture_point, wi);
-    }
+    if (MAP_KIND == MAP_KIND_DISTANCE) return direction_of_rough_hit(lobe, surface.position - map.capture_point, wi);
     // Opposite vectors may cancel; nothing can be interpolated there.
     return MAP_KIND == MAP_KIND_POLYGON && drawn_reflection != vec3(0.0) ? drawn_reflection : wi;
 }
 
-vec3 rough_radiance(Surface surface, vec3 wo) {
-    RoughMapInfo map = rough_maps[triangle_infos[surface.triangle].instance];
-    vec3 direction = rough_direction(surface, map, reflect(-wo, surface.ns));
-    float position = (sqrt(surface.alpha) - map.least_roughness) * map.steps_per_unit;
+RoughLobe rough_lobe(RoughMapInfo map, float alpha) {
+    float position = (sqrt(alpha) - map.least_roughness) * map.steps_per_unit;
     position = clamp(position, 0.0, float(map.levels - 1u));
     uint below = uint(position);
-    vec3 radiance = rough_level(rough_levels[map.first_level + below], direction);
-    if (float(below) == position) return radiance;
-    return mix(radiance, rough_level(rough_levels[map.first_level + below + 1u], direction), position - float(below));
+    uint above = min(below + 1u, map.levels - 1u);
+    return RoughLobe(rough_levels[map.first_level + below], rough_levels[map.first_level + above], position - float(below));
+}
+
+vec3 rough_radiance(Surface surface, vec3 wo) {
+    RoughMapInfo map = rough_maps[triangle_infos[surface.triangle].instance];
+    RoughLobe lobe = rough_lobe(map, surface.alpha);
+    vec3 direction = rough_direction(surface, map, lobe, reflect(-wo, surface.ns));
+    vec3 radiance = rough_level(lobe.below, direction);
+    if (lobe.share == 0.0) return radiance;
+    return mix(radiance, rough_level(lobe.above, direction), lobe.share);
 }
 
 LobeAlbedo mix_albedo(LobeAlbedo a, LobeAlbedo b, float f) {

@@ -200,8 +200,8 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->capture_default_str();
     command
         .add_option("--proxy", options.proxy,
-                    "What stands in for the surroundings where proxy-map, planar and rough lobes correct "
-                    "look-ups, for all objects: a file of planes, x y z distance a line, normals out of the "
+                    "What stands in for the surroundings where proxy-map and planar correct look-ups, "
+                    "for all objects: a file of planes, x y z distance a line, normals out of the "
                     "convex polyhedron, distances from the world's origin in metres [fitted to each object]")
         ->type_name("FILE");
     command

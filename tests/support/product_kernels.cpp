@@ -31,6 +31,7 @@
 #include "kernels/fill_light_cache.h"
 #include "kernels/halve_map.h"
 #include "kernels/measure_distances.h"
+#include "kernels/measure_inverse_distances.h"
 #include "kernels/measure_radiance.h"
 #include "kernels/measure_reflection_frag.h"
 #include "kernels/predict_reflection_frag.h"
@@ -78,6 +79,7 @@ std::vector<ProductKernel> product_kernels() {
             {"fill_light_cache", kernels::fill_light_cache},
             {"halve_map", kernels::halve_map},
             {"measure_distances", kernels::measure_distances},
+            {"measure_inverse_distances", kernels::measure_inverse_distances},
             {"measure_radiance", kernels::measure_radiance},
             {"measure_reflection_frag", kernels::measure_reflection_frag},
             {"predict_reflection_frag", kernels::predict_reflection_frag},

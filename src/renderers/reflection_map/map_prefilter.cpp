@@ -46,6 +46,10 @@ Specialization capture_constants(const GpuScene& scene) {
     return constants;
 }
 
+Specialization convolve_constants(const ConvolvedMaps& maps) {
+    return {{interop::SPEC_KEEPS_DISTANCES, maps.keeps_distances ? 1u : 0u}};
+}
+
 Bindings scene_bindings(const GpuScene& scene, const LightCache& light) {
     Bindings bindings = scene.bindings();
     bindings.merge(light.bindings());
@@ -64,17 +68,26 @@ std::uint64_t MapPrefilter::source_texels(std::uint32_t size) {
 }
 
 MapPrefilter::MapPrefilter(Device& device, const GpuScene& scene, const LightCache& light,
-                           const Buffer& texels, std::uint32_t largest_source)
+                           const ConvolvedMaps& maps, std::uint32_t largest_source)
     : device_(device),
       tracer_(device, "trace_cached", kernels::trace_cached, capture_constants(scene),
               scene_bindings(scene, light)),
       resolver_(device, "resolve_map", kernels::resolve_map, {}, sizeof(interop::ResolveMapPush)),
-      halver_(device, "halve_map", kernels::halve_map, {}, sizeof(interop::HalveMapPush)),
-      convolver_(device, "prefilter_map", kernels::prefilter_map, {}, sizeof(interop::PrefilterMapPush)),
+      halver_(device, "halve_map", kernels::halve_map, convolve_constants(maps),
+              sizeof(interop::HalveMapPush)),
+      convolver_(device, "prefilter_map", kernels::prefilter_map, convolve_constants(maps),
+                 sizeof(interop::PrefilterMapPush)),
       source_(device, source_texels(largest_source) * sizeof(glm::vec3), "source of rough maps"),
-      halve_set_(halver_.bind({{interop::BINDING_MAP_TEXELS, &source_}})),
-      convolve_set_(convolver_.bind(
-          {{interop::BINDING_MAP_TEXELS, &source_}, {interop::BINDING_ROUGH_TEXELS, &texels}})) {}
+      inverse_distances_(device, (maps.keeps_distances ? source_texels(largest_source) : 1) * sizeof(float),
+                         "inverse distances of the source of rough maps"),
+      halve_set_(halver_.bind({{interop::BINDING_MAP_TEXELS, &source_},
+                               {interop::BINDING_MAP_INVERSE_DISTANCES, &inverse_distances_}})),
+      convolve_set_(convolver_.bind({{interop::BINDING_MAP_TEXELS, &source_},
+                                     {interop::BINDING_MAP_INVERSE_DISTANCES, &inverse_distances_},
+                                     {interop::BINDING_ROUGH_TEXELS, &maps.texels},
+                                     {interop::BINDING_ROUGH_INVERSE_DISTANCES, &maps.inverse_distances}})) {
+    if (maps.keeps_distances) measurer_.emplace(device, scene, inverse_distances_);
+}
 
 void MapPrefilter::warm_up() {
     Film film(device_, interop::TILE_SIZE, interop::TILE_SIZE, "warm-up film");
@@ -84,6 +97,7 @@ void MapPrefilter::warm_up() {
         resolver_.dispatch(commands, set, interop::ResolveMapPush{}, 1);
         halver_.dispatch(commands, halve_set_, interop::HalveMapPush{}, 1);
     });
+    if (measurer_) measurer_->warm_up();
 }
 
 FrameCounts MapPrefilter::capture(const glm::vec3& point, std::uint32_t size, FrameSettings frame,
@@ -106,6 +120,7 @@ FrameCounts MapPrefilter::capture(const glm::vec3& point, std::uint32_t size, Fr
             });
         }
     }
+    if (measurer_) accumulate(counts, measurer_->measure(point, size, frame.excluded_instance));
     counts.gpu_seconds += device_.run("halve maps", [&](const vk::raii::CommandBuffer& commands) {
         for (std::uint32_t level = 1; size >> level > 0; ++level) {
             const std::uint32_t edge = size >> level;

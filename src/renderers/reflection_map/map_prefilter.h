@@ -4,25 +4,33 @@
 #include "renderers/common/film_kernel.h"
 #include "renderers/common/gpu_scene.h"
 #include "renderers/common/light_cache.h"
+#include "renderers/reflection_map/inverse_distance_kernel.h"
 
 #include "interop/rough_map.h"
 
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <optional>
 
 namespace utsuri {
 
 /// Texels of all faces of a level, borders included.
 std::uint64_t prefiltered_texels(std::uint32_t level_size);
 
+/// Where convolved maps go.
+struct ConvolvedMaps {
+    const Buffer& texels;
+    const Buffer& inverse_distances;  ///< of each texel, if they are kept
+    bool keeps_distances;
+};
+
 /// Captures what surrounds a point, a cube of maps, and convolves it with lobes.
 class MapPrefilter {
   public:
     /// @param light filled
-    /// @param texels what is convolved goes here
     /// @param largest_source most texels along an edge of a face of what is captured, a power of two
-    MapPrefilter(Device& device, const GpuScene& scene, const LightCache& light, const Buffer& texels,
+    MapPrefilter(Device& device, const GpuScene& scene, const LightCache& light, const ConvolvedMaps& maps,
                  std::uint32_t largest_source);
     MapPrefilter(const MapPrefilter&) = delete;
     MapPrefilter& operator=(const MapPrefilter&) = delete;
@@ -51,6 +59,8 @@ class MapPrefilter {
     Kernel halver_;
     Kernel convolver_;
     Buffer source_;
+    Buffer inverse_distances_;
+    std::optional<InverseDistanceKernel> measurer_;  ///< if distances are kept
     BindingSet halve_set_;
     BindingSet convolve_set_;
 };

@@ -34,10 +34,10 @@ std::optional<RadianceBounds> make_radiance_bounds(Device& device, const Reflect
 }  // namespace
 
 RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps) {
-    const bool uses_proxies = kind == MapKind::proxy || keeps_distances(kind);
     // Of lobes only the sharpest would see finer maps than that.
     const std::uint32_t size = maps.fitted ? std::min(maps.size, MapSettings().size) : maps.size;
-    return {size, maps.samples, maps.capture_point, uses_proxies, maps.proxy};
+    return {size,      maps.samples, maps.capture_point, kind == MapKind::proxy, keeps_distances(kind),
+            maps.proxy};
 }
 
 PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,

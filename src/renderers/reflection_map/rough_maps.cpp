@@ -5,6 +5,7 @@
 #include "renderers/reflection_map/lobe_albedo.h"
 #include "renderers/reflection_map/map_prefilter.h"
 
+#include "base/check.h"
 #include "base/error.h"
 
 #include "interop/bindings.h"
@@ -52,6 +53,9 @@ RoughMaps::RoughMaps(Device& device, const SceneData& data, const RoughMapSettin
       proxy_plane_buffer_(make_buffer<interop::ProxyPlane>(device, proxy_planes_, "planes of rough proxies")),
       levels_(make_buffer<interop::RoughLevel>(device, plan_.levels, "levels of rough maps")),
       texels_(device, std::max<std::uint64_t>(1, plan_.texels) * sizeof(glm::vec3), "texels of rough maps"),
+      inverse_distances_(
+          device, (settings.keeps_distances ? std::max<std::uint64_t>(1, plan_.texels) : 1) * sizeof(float),
+          "inverse distances of rough maps"),
       lobe_albedos_(make_buffer<interop::LobeAlbedo>(
           device, plan_.levels.empty() ? std::vector<interop::LobeAlbedo>() : make_lobe_albedo_table(),
           "albedos of lobes")) {}
@@ -61,7 +65,8 @@ FrameCounts RoughMaps::capture(const GpuScene& scene, const LightCache& light, c
     FrameCounts counts;
     if (plan_.levels.empty()) return counts;
     const auto start = std::chrono::steady_clock::now();
-    MapPrefilter prefilter(*device_, scene, light, texels_, plan_.largest_source());
+    MapPrefilter prefilter(*device_, scene, light, {texels_, inverse_distances_, settings_.keeps_distances},
+                           plan_.largest_source());
     prefilter.warm_up();
     seconds_to_compile += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     for (std::uint32_t i = 0; i < plan_.infos.size(); ++i) {
@@ -91,15 +96,31 @@ Bindings RoughMaps::bindings() const {
             {interop::BINDING_ROUGH_PROXY_PLANES, &proxy_plane_buffer_},
             {interop::BINDING_ROUGH_LEVELS, &levels_},
             {interop::BINDING_ROUGH_TEXELS, &texels_},
+            {interop::BINDING_ROUGH_INVERSE_DISTANCES, &inverse_distances_},
             {interop::BINDING_LOBE_ALBEDO, &lobe_albedos_}};
 }
 
+std::uint32_t RoughMaps::stride(std::uint32_t level) const {
+    return plan_.levels[level].size + 2 * interop::ROUGH_MAP_BORDER;
+}
+
+std::uint64_t RoughMaps::first_texel(std::uint32_t level, std::uint32_t face) const {
+    return plan_.levels[level].first_texel + std::uint64_t{face} * stride(level) * stride(level);
+}
+
 Image RoughMaps::face(std::uint32_t level, std::uint32_t face) const {
-    const std::uint32_t stride = plan_.levels[level].size + 2 * interop::ROUGH_MAP_BORDER;
-    Image image(stride, stride);
-    const std::uint64_t first = plan_.levels[level].first_texel + std::uint64_t{face} * stride * stride;
-    texels_.download(std::as_writable_bytes(std::span(image.pixels)), first * sizeof(glm::vec3));
+    Image image(stride(level), stride(level));
+    texels_.download(std::as_writable_bytes(std::span(image.pixels)),
+                     first_texel(level, face) * sizeof(glm::vec3));
     return image;
+}
+
+std::vector<float> RoughMaps::inverse_distances(std::uint32_t level, std::uint32_t face) const {
+    UTSURI_CHECK(settings_.keeps_distances);
+    std::vector<float> result(std::size_t{stride(level)} * stride(level));
+    inverse_distances_.download(std::as_writable_bytes(std::span(result)),
+                                first_texel(level, face) * sizeof(float));
+    return result;
 }
 
 }  // namespace utsuri

@@ -23,11 +23,13 @@ struct RoughMapSettings {
     std::uint32_t samples = 16;  ///< per texel, >= 1
     std::optional<glm::dvec3> capture_point = std::nullopt;  ///< world space; each instance's own if not set
     bool uses_proxies = false;                               ///< whether look-ups are corrected by proxies
+    bool keeps_distances = false;                            ///< or by distances
     std::optional<GivenProxy> proxy = std::nullopt;          ///< fitted to what each instance sees if not set
 };
 
 /// What rough lobes reflect: for every instance that has some, cubes of maps captured without it from one
-/// point, and convolved with the lobe at as many steps of roughness as the instance has.
+/// point, and convolved with the lobe at as many steps of roughness as the instance has. Where they are to
+/// tell places, so is one over the distance of what the lobe sees.
 class RoughMaps {
   public:
     /// @throws UsageError if the maps cannot fit into one buffer of the device
@@ -46,8 +48,14 @@ class RoughMaps {
 
     /// The texels of one face of a level, border included, as a picture, for tests.
     [[nodiscard]] Image face(std::uint32_t level, std::uint32_t face) const;
+    /// One over the distance in metres of the same texels.
+    [[nodiscard]] std::vector<float> inverse_distances(std::uint32_t level, std::uint32_t face) const;
 
   private:
+    /// Of a face of a level, border included.
+    [[nodiscard]] std::uint32_t stride(std::uint32_t level) const;
+    [[nodiscard]] std::uint64_t first_texel(std::uint32_t level, std::uint32_t face) const;
+
     Device* device_;
     RoughMapSettings settings_;
     std::vector<interop::ProxyPlane> proxy_planes_;
@@ -56,6 +64,7 @@ class RoughMaps {
     Buffer proxy_plane_buffer_;
     Buffer levels_;
     Buffer texels_;
+    Buffer inverse_distances_;
     Buffer lobe_albedos_;
 };
 
