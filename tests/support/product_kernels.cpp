@@ -22,6 +22,7 @@
 #include "kernels/draw_image_traced_mirror_frag.h"
 #include "kernels/draw_predicted_curved_vert.h"
 #include "kernels/draw_radiance_hybrid_reflector_frag.h"
+#include "kernels/draw_reflector_depth_vert.h"
 #include "kernels/draw_reflector_frag.h"
 #include "kernels/draw_reflectors_vert.h"
 #include "kernels/draw_scene_frag.h"
@@ -70,6 +71,7 @@ std::vector<ProductKernel> product_kernels() {
             {"draw_image_traced_mirror_frag", kernels::draw_image_traced_mirror_frag},
             {"draw_predicted_curved_vert", kernels::draw_predicted_curved_vert},
             {"draw_radiance_hybrid_reflector_frag", kernels::draw_radiance_hybrid_reflector_frag},
+            {"draw_reflector_depth_vert", kernels::draw_reflector_depth_vert},
             {"draw_reflector_frag", kernels::draw_reflector_frag},
             {"draw_reflectors_vert", kernels::draw_reflectors_vert},
             {"draw_scene_frag", kernels::draw_scene_frag},

@@ -11,6 +11,7 @@
 #include "kernels/draw_distance_reflector_frag.h"
 #include "kernels/draw_hybrid_reflector_frag.h"
 #include "kernels/draw_radiance_hybrid_reflector_frag.h"
+#include "kernels/draw_reflector_depth_vert.h"
 #include "kernels/draw_reflector_frag.h"
 #include "kernels/draw_reflectors_vert.h"
 #include "kernels/draw_whole_pieces_vert.h"
@@ -64,6 +65,12 @@ std::span<const std::uint32_t> whole_vertex(MapKind kind) {
                                    : std::span<const std::uint32_t>(kernels::draw_reflectors_vert);
 }
 
+/// Of polygons drawn whole: behind pieces if there are any, else after their depth.
+DepthState whole_depth(MapKind kind) {
+    return kind == MapKind::polygon ? DepthState{DepthTest::nearer, kBehindPieces}
+                                    : DepthState{DepthTest::equal, 0.0f};
+}
+
 Specialization add_constants(Specialization specialization, const SurfaceFeatures& features,
                              std::uint32_t map_kind, std::size_t faces) {
     specialization[interop::SPEC_HAS_TEXTURES] = features.textured ? 1 : 0;
@@ -73,9 +80,10 @@ Specialization add_constants(Specialization specialization, const SurfaceFeature
     return specialization;
 }
 
+/// The last one first: of those at the same place the first shows then, as it does to rays.
 std::vector<std::uint32_t> all_polygons(std::uint32_t count) {
     std::vector<std::uint32_t> polygons(count);
-    std::iota(polygons.begin(), polygons.end(), 0u);
+    std::iota(polygons.rbegin(), polygons.rend(), 0u);
     return polygons;
 }
 
@@ -132,14 +140,15 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
                      sizeof(interop::ReflectVerticesPush)),
       vertex_set_(vertex_kernel_.bind(with_polygons({}))),
       whole_(device, "draw_reflectors", whole_vertex(kind), whole_fragment(kind, tolerance),
-             specialise(specialization, kind, faces.size()), sizeof(interop::RasterPush),
-             {DepthTest::nearer, kind == MapKind::polygon ? kBehindPieces : 0.0f}),
+             specialise(specialization, kind, faces.size()), sizeof(interop::RasterPush), whole_depth(kind)),
       whole_set_(whole_.bind(with_polygons(bindings))) {
     for (Buffer* buffer : {&whole_pieces_, &cut_pieces_, &cut_corners_, &draw_arguments_})
         buffer->fill_with_zero();
     if (kind == MapKind::polygon) {
         clipping_.emplace(make_clipping(
             add_constants(specialization, features_, interop::MAP_KIND_PIECES, faces.size()), bindings));
+    } else {
+        depth_.emplace(make_depth_pass());
     }
 }
 
@@ -167,6 +176,13 @@ Bindings ReflectorDrawer::with_polygons(Bindings others) const {
                           {interop::BINDING_CUT_CORNERS, &cut_corners_},
                           {interop::BINDING_DRAW_ARGUMENTS, &draw_arguments_}});
     return others;
+}
+
+ReflectorDrawer::DepthPass ReflectorDrawer::make_depth_pass() const {
+    RasterPipeline pipeline(device_, "draw_reflector_depth", kernels::draw_reflector_depth_vert, {}, {},
+                            sizeof(interop::RasterPush));
+    BindingSet set = pipeline.bind(with_polygons({}));
+    return {std::move(pipeline), std::move(set)};
 }
 
 ReflectorDrawer::TwoRuns ReflectorDrawer::make_two_runs(const std::string& name,
@@ -225,11 +241,15 @@ void ReflectorDrawer::warm_up(const vk::raii::CommandBuffer& commands) const {
         clipping_->draw_whole.draw(commands, clipping_->draw_whole_set, nothing, 0, 1);
         clipping_->draw_cut.draw(commands, clipping_->draw_cut_set, nothing, 0, 1);
     }
+    if (depth_) depth_->pipeline.draw(commands, depth_->bindings, nothing, 0, 1);
     whole_.draw(commands, whole_set_, nothing, 0, 1);
 }
 
 void ReflectorDrawer::draw(const vk::raii::CommandBuffer& commands, const interop::RasterPush& push) const {
-    if (!clipping_) return whole_.draw(commands, whole_set_, push, 0, clip_.polygons);
+    if (depth_) {
+        depth_->pipeline.draw(commands, depth_->bindings, push, 0, clip_.polygons);
+        return whole_.draw(commands, whole_set_, push, 0, clip_.polygons);
+    }
     clipping_->draw_whole.draw_indirect(commands, clipping_->draw_whole_set, push, draw_arguments_, 0);
     clipping_->draw_cut.draw_indirect(commands, clipping_->draw_cut_set, push, draw_arguments_, 1);
     // Of a cut polygon's outline next to one that is not cut there rounding can leave a pixel open.

@@ -77,6 +77,14 @@ class ReflectorDrawer {
         BindingSet draw_cut_set;
     };
 
+    /// Comes before whole polygons, so that a pixel looks up or traces only what it shows: backs of closed
+    /// mirrors would be followed through every reflection inside them. Pieces of cut polygons do without.
+    struct DepthPass {
+        RasterPipeline pipeline;
+        BindingSet bindings;
+    };
+
+    [[nodiscard]] DepthPass make_depth_pass() const;
     [[nodiscard]] TwoRuns make_two_runs(const std::string& name, std::span<const std::uint32_t> spirv,
                                         Specialization specialization, const Kernel& prefix_sum,
                                         const Buffer& counts) const;
@@ -101,6 +109,7 @@ class ReflectorDrawer {
     Buffer draw_arguments_;
     Kernel vertex_kernel_;
     BindingSet vertex_set_;
+    std::optional<DepthPass> depth_;
     RasterPipeline whole_;
     BindingSet whole_set_;
     std::optional<Clipping> clipping_;
