@@ -12,12 +12,19 @@ INTEROP_CONSTANT ROUGH_MAP_BORDER = 1u;
 
 /// The maps of one instance of the scene: levels at even steps of perceptual roughness.
 struct RoughMapInfo {
+    uint first_probe;
+    uint probes;
+    uint levels;            ///< of each probe; 0 where no lobe is rough
+    float least_roughness;  ///< of the first level
+    float steps_per_unit;   ///< levels per unit of roughness
+    float blend_width;  ///< metres by which lobes pass a probe farther than the nearest that no longer counts
+};
+
+/// A point that maps of an instance are captured from.
+struct RoughProbe {
     vec3 capture_point;
     ProxyInfo proxy;
     uint first_level;
-    uint levels;            ///< 0 where no lobe is rough
-    float least_roughness;  ///< of the first level
-    float steps_per_unit;   ///< levels per unit of roughness
 };
 
 struct RoughLevel {

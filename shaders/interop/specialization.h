@@ -22,10 +22,11 @@ INTEROP_CONSTANT SPEC_SUMS_LIGHTS = 13u;  ///< unshadowed light is summed over a
 INTEROP_CONSTANT SPEC_FACE_COUNT = 14u;   ///< of the polyhedron of maps, at most MAP_MOST_FACES
 INTEROP_CONSTANT SPEC_WRITES = 15u;       ///< the second run of a kernel that first counts what it will write
 INTEROP_CONSTANT SPEC_DISTANCE_SIZE = 16u;  ///< texels along an edge of a face of distances, a power of two
-INTEROP_CONSTANT SPEC_HAS_PROXY_PLANES = 17u;  ///< not all proxies are boxes
-INTEROP_CONSTANT SPEC_MOST_PROBES = 18u;       ///< capture points that a reflector has, at most
-INTEROP_CONSTANT SPEC_KEEPS_DISTANCES = 19u;   ///< rough maps are made with inverse distances
-INTEROP_CONSTANT SPEC_COUNT = 20u;
+INTEROP_CONSTANT SPEC_HAS_PROXY_PLANES = 17u;   ///< not all proxies are boxes
+INTEROP_CONSTANT SPEC_MOST_PROBES = 18u;        ///< capture points that a reflector has, at most
+INTEROP_CONSTANT SPEC_KEEPS_DISTANCES = 19u;    ///< rough maps are made with inverse distances
+INTEROP_CONSTANT SPEC_MOST_ROUGH_PROBES = 20u;  ///< capture points that a rough instance has, at most
+INTEROP_CONSTANT SPEC_COUNT = 21u;
 
 INTEROP_END
 #endif

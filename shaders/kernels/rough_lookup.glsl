@@ -3,12 +3,15 @@
 #include "interop/rough_map.h"
 #include "interop/reflection.h"
 #include "lib/cube.glsl"
+#include "lib/probe_blend.glsl"
 #include "lib/proxy.glsl"
 
 layout(constant_id = SPEC_MAP_KIND) const uint MAP_KIND = MAP_KIND_POLYGON;
 layout(constant_id = SPEC_HAS_PROXY_PLANES) const uint HAS_PROXY_PLANES = 0u;
+layout(constant_id = SPEC_MOST_ROUGH_PROBES) const uint MOST_ROUGH_PROBES = 1u;
 
 layout(scalar, binding = BINDING_ROUGH_MAPS) readonly restrict buffer RoughMaps { RoughMapInfo rough_maps[]; };
+layout(scalar, binding = BINDING_ROUGH_PROBES) readonly restrict buffer RoughProbes { RoughProbe rough_probes[]; };
 layout(scalar, binding = BINDING_ROUGH_LEVELS) readonly restrict buffer RoughLevels { RoughLevel rough_levels[]; };
 layout(scalar, binding = BINDING_ROUGH_TEXELS) readonly restrict buffer RoughTexels { vec3 rough_texels[]; };
 layout(scalar, binding = BINDING_ROUGH_INVERSE_DISTANCES) readonly restrict buffer RoughInverseDistances {
@@ -63,29 +66,51 @@ vec3 leave_rough_proxy(vec3 origin, vec3 direction, ProxyInfo proxy) {
 
 /// The direction from the capture point that stands for the mirrored one. Sphere maps are in eye space: rough lobes have
 /// none, and take what is far.
-vec3 rough_direction(Surface surface, RoughMapInfo map, RoughLobe lobe, vec3 wi) {
+vec3 rough_direction(Surface surface, RoughProbe probe, RoughLobe lobe, vec3 wi) {
     if (MAP_KIND == MAP_KIND_PROXY)
-        return direction_to(leave_rough_proxy(surface.position, wi, map.proxy), map.capture_point, wi);
-    if (MAP_KIND == MAP_KIND_DISTANCE) return direction_of_rough_hit(lobe, surface.position - map.capture_point, wi);
+        return direction_to(leave_rough_proxy(surface.position, wi, probe.proxy), probe.capture_point, wi);
+    if (MAP_KIND == MAP_KIND_DISTANCE) return direction_of_rough_hit(lobe, surface.position - probe.capture_point, wi);
     // Opposite vectors may cancel; nothing can be interpolated there.
     return MAP_KIND == MAP_KIND_POLYGON && drawn_reflection != vec3(0.0) ? drawn_reflection : wi;
 }
 
-RoughLobe rough_lobe(RoughMapInfo map, float alpha) {
+RoughLobe rough_lobe(RoughMapInfo map, RoughProbe probe, float alpha) {
     float position = (sqrt(alpha) - map.least_roughness) * map.steps_per_unit;
     position = clamp(position, 0.0, float(map.levels - 1u));
     uint below = uint(position);
     uint above = min(below + 1u, map.levels - 1u);
-    return RoughLobe(rough_levels[map.first_level + below], rough_levels[map.first_level + above], position - float(below));
+    return RoughLobe(rough_levels[probe.first_level + below], rough_levels[probe.first_level + above],
+                     position - float(below));
+}
+
+vec3 probe_radiance(Surface surface, RoughMapInfo map, uint index, vec3 wi) {
+    RoughProbe probe = rough_probes[index];
+    RoughLobe lobe = rough_lobe(map, probe, surface.alpha);
+    vec3 direction = rough_direction(surface, probe, lobe, wi);
+    vec3 radiance = rough_level(lobe.below, direction);
+    if (lobe.share == 0.0) return radiance;
+    return mix(radiance, rough_level(lobe.above, direction), lobe.share);
+}
+
+float lobe_passes_probe(Surface surface, uint index, vec3 wi) {
+    return lobe_passes_at(surface.position - rough_probes[index].capture_point, wi, surface.alpha);
 }
 
 vec3 rough_radiance(Surface surface, vec3 wo) {
     RoughMapInfo map = rough_maps[triangle_infos[surface.triangle].instance];
-    RoughLobe lobe = rough_lobe(map, surface.alpha);
-    vec3 direction = rough_direction(surface, map, lobe, reflect(-wo, surface.ns));
-    vec3 radiance = rough_level(lobe.below, direction);
-    if (lobe.share == 0.0) return radiance;
-    return mix(radiance, rough_level(lobe.above, direction), lobe.share);
+    vec3 wi = reflect(-wo, surface.ns);
+    if (MOST_ROUGH_PROBES == 1u) return probe_radiance(surface, map, map.first_probe, wi);
+    float nearest = INFINITY;
+    for (uint i = 0u; i < map.probes; ++i) nearest = min(nearest, lobe_passes_probe(surface, map.first_probe + i, wi));
+    vec3 sum = vec3(0.0);
+    float weights = 0.0;
+    for (uint i = map.first_probe; i < map.first_probe + map.probes; ++i) {
+        float weight = blend_weight(lobe_passes_probe(surface, i, wi), nearest, map.blend_width);
+        if (weight == 0.0) continue;
+        sum += weight * probe_radiance(surface, map, i, wi);
+        weights += weight;
+    }
+    return sum / weights;
 }
 
 LobeAlbedo mix_albedo(LobeAlbedo a, LobeAlbedo b, float f) {

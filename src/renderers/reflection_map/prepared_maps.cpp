@@ -36,8 +36,7 @@ std::optional<RadianceBounds> make_radiance_bounds(Device& device, const Reflect
 RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps) {
     // Of lobes only the sharpest would see finer maps than that.
     const std::uint32_t size = maps.fitted ? std::min(maps.size, MapSettings().size) : maps.size;
-    return {size,      maps.samples, maps.capture_point, kind == MapKind::proxy, keeps_distances(kind),
-            maps.proxy};
+    return {size, maps.samples, maps.capture_point, maps.most_probes, kind, maps.proxy};
 }
 
 PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
@@ -118,6 +117,7 @@ Specialization PreparedMaps::specialization() const {
     const bool has_planes = !maps_.proxy_planes().empty() || !rough_maps_.proxy_planes().empty();
     specialization[interop::SPEC_HAS_PROXY_PLANES] = has_planes ? 1 : 0;
     specialization[interop::SPEC_MAP_KIND] = whole_map_kind(kind_);
+    specialization[interop::SPEC_MOST_ROUGH_PROBES] = rough_maps_.plan().most_probes();
     if (distances_) specialization[interop::SPEC_DISTANCE_SIZE] = distances_->size();
     return specialization;
 }

@@ -121,11 +121,11 @@ std::vector<glm::dvec3> find_more(const SceneData& scene, std::uint32_t instance
 
 }  // namespace
 
-std::vector<Probe> place_probes(const SceneData& scene, const Reflectors& reflectors, MapKind kind,
-                                const ProbeSettings& settings) {
+std::vector<Probe> place_probes(const SceneData& scene, const std::vector<std::uint32_t>& reflectors,
+                                MapKind kind, const ProbeSettings& settings) {
     std::vector<Probe> probes;
-    for (std::uint32_t reflector = 0; reflector < reflectors.instances.size(); ++reflector) {
-        const std::uint32_t instance = reflectors.instances[reflector];
+    for (std::uint32_t reflector = 0; reflector < reflectors.size(); ++reflector) {
+        const std::uint32_t instance = reflectors[reflector];
         const glm::dvec3 first =
             settings.first ? *settings.first - scene.origin : find_capture_point(scene, instance);
         if (settings.most == 1) {

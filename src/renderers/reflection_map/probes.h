@@ -3,7 +3,6 @@
 
 #include "renderers/common/scene_data.h"
 #include "renderers/reflection_map/map_kind.h"
-#include "renderers/reflection_map/reflectors.h"
 
 #include "interop/reflection.h"
 
@@ -20,7 +19,7 @@ inline constexpr std::uint32_t kMostProbes = 64;
 
 /// A point that maps of a reflector are captured from.
 struct Probe {
-    std::uint32_t reflector;
+    std::uint32_t reflector;   ///< its place among those that probes are placed for
     glm::dvec3 capture_point;  ///< scene space
 };
 
@@ -35,8 +34,9 @@ struct ProbeSettings {
 /// can show most, if that is by a noticeable share. Errors are predicted for rays that leave the surface all
 /// over it and in all directions: by their parallax (B1 of docs/architecture.md), and for maps with distances
 /// only where a probe does not see what the ray meets.
-std::vector<Probe> place_probes(const SceneData& scene, const Reflectors& reflectors, MapKind kind,
-                                const ProbeSettings& settings);
+/// @param reflectors instances, ascending
+std::vector<Probe> place_probes(const SceneData& scene, const std::vector<std::uint32_t>& reflectors,
+                                MapKind kind, const ProbeSettings& settings);
 
 /// Which of the probes belong to each of the reflectors.
 std::vector<interop::ProbeRange> probe_ranges(const std::vector<Probe>& probes, std::size_t reflectors);

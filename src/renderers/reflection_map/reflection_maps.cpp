@@ -128,7 +128,8 @@ ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind ki
       settings_(settings),
       reflectors_(fine_reflectors(data, instances, settings.refinement)),
       faces_(faces_of(kind, settings.polyhedron)),
-      probes_(place_probes(data, reflectors_, kind, {settings.most_probes, settings.capture_point})),
+      probes_(
+          place_probes(data, reflectors_.instances, kind, {settings.most_probes, settings.capture_point})),
       infos_(describe_probes(data, reflectors_, probes_, kind, maps_per_probe(), settings,
                              map_sizes(data, reflectors_, probes_, kind, faces_, settings, view),
                              proxy_planes_)),

@@ -5,9 +5,12 @@
 
 #include "interop/shading.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace utsuri {
@@ -44,6 +47,39 @@ std::vector<std::optional<std::uint32_t>> instance_materials(const SceneData& da
     return materials;
 }
 
+interop::RoughMapInfo describe_levels(const RoughnessRange& range) {
+    interop::RoughMapInfo info{};
+    info.least_roughness = std::max(range.least, interop::SPECULAR_ROUGHNESS);
+    const float span = range.most - info.least_roughness;
+    info.levels = 1 + static_cast<std::uint32_t>(std::ceil(span / kRoughnessStep));
+    info.steps_per_unit = info.levels > 1 ? static_cast<float>(info.levels - 1) / span : 0.0f;
+    return info;
+}
+
+/// Half the least distance between two capture points: at one of them, a lobe along the normal knows no
+/// other.
+float blend_width(const std::vector<Probe>& probes, const interop::ProbeRange& range) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < range.count; ++i) {
+        for (std::uint32_t j = 0; j < i; ++j) {
+            least = std::min(least, glm::distance(probes[range.first + i].capture_point,
+                                                  probes[range.first + j].capture_point));
+        }
+    }
+    return static_cast<float>(0.5 * least);
+}
+
+/// The maps of one more probe of an instance.
+void add_levels(RoughMapPlan& plan, std::uint32_t instance, const glm::dvec3& capture_point,
+                std::uint32_t most_size) {
+    plan.probes.push_back({glm::vec3(capture_point), {}, static_cast<std::uint32_t>(plan.levels.size())});
+    for (std::uint32_t level = 0; level < plan.infos[instance].levels; ++level) {
+        const std::uint32_t size = level_size(plan.roughness(instance, level), most_size);
+        plan.levels.push_back({static_cast<std::uint32_t>(plan.texels), size});
+        plan.texels += prefiltered_texels(size);
+    }
+}
+
 }  // namespace
 
 std::uint32_t RoughMapPlan::largest_source() const {
@@ -56,35 +92,50 @@ float RoughMapPlan::roughness(std::uint32_t instance, std::uint32_t level) const
                            : info.least_roughness;
 }
 
-RoughMapPlan plan_rough_maps(const SceneData& data, std::uint32_t most_size) {
-    RoughMapPlan plan;
+std::uint32_t RoughMapPlan::most_probes() const {
+    std::uint32_t most = 1;
+    for (const interop::RoughMapInfo& info : infos)
+        most = std::max(most, info.probes);
+    return most;
+}
+
+std::vector<std::uint32_t> rough_instances(const SceneData& data) {
+    std::vector<std::uint32_t> instances;
     const auto materials = instance_materials(data);
-    for (std::uint32_t i = 0; i < data.requirements.instances; ++i) {
-        interop::RoughMapInfo info{};
-        info.first_level = static_cast<std::uint32_t>(plan.levels.size());
-        plan.source_sizes.push_back(0);
-        const bool glossy = materials[i] && data.requirements.surfaces[*materials[i]].glossy;
-        float span = 0.0f;
-        if (glossy) {
-            const RoughnessRange& range = data.requirements.roughness[*materials[i]];
-            info.least_roughness = std::max(range.least, interop::SPECULAR_ROUGHNESS);
-            span = range.most - info.least_roughness;
-            info.levels = 1 + static_cast<std::uint32_t>(std::ceil(span / kRoughnessStep));
-            info.steps_per_unit = info.levels > 1 ? static_cast<float>(info.levels - 1) / span : 0.0f;
-        }
-        plan.infos.push_back(info);
-        for (std::uint32_t level = 0; level < info.levels; ++level) {
-            const std::uint32_t size = level_size(plan.roughness(i, level), most_size);
-            if (level == 0) plan.source_sizes[i] = source_size(size, most_size);
-            plan.levels.push_back({static_cast<std::uint32_t>(plan.texels), size});
-            plan.texels += prefiltered_texels(size);
-        }
+    for (std::uint32_t i = 0; i < materials.size(); ++i) {
+        if (materials[i] && data.requirements.surfaces[*materials[i]].glossy) instances.push_back(i);
+    }
+    return instances;
+}
+
+RoughMapPlan plan_rough_maps(const SceneData& data, std::uint32_t most_size,
+                             const std::vector<Probe>& probes) {
+    RoughMapPlan plan;
+    plan.infos.resize(data.requirements.instances);
+    plan.source_sizes.resize(data.requirements.instances);
+    const auto materials = instance_materials(data);
+    const std::vector<std::uint32_t> rough = rough_instances(data);
+    const std::vector<interop::ProbeRange> ranges = probe_ranges(probes, rough.size());
+    for (std::size_t r = 0; r < rough.size(); ++r) {
+        const std::uint32_t instance = rough[r];
+        plan.infos[instance] = describe_levels(data.requirements.roughness[materials[instance].value()]);
+        plan.infos[instance].first_probe = ranges[r].first;
+        plan.infos[instance].probes = ranges[r].count;
+        plan.infos[instance].blend_width = blend_width(probes, ranges[r]);
+        const std::uint32_t finest = level_size(plan.roughness(instance, 0), most_size);
+        plan.source_sizes[instance] = source_size(finest, most_size);
+        for (std::uint32_t probe = 0; probe < ranges[r].count; ++probe)
+            add_levels(plan, instance, probes[ranges[r].first + probe].capture_point, most_size);
     }
     return plan;
 }
 
 std::uint64_t rough_map_bytes(const SceneData& data, std::uint32_t most_size) {
-    const RoughMapPlan plan = plan_rough_maps(data, most_size);
+    const std::vector<std::uint32_t> rough = rough_instances(data);
+    std::vector<Probe> probes;
+    for (std::uint32_t i = 0; i < rough.size(); ++i)
+        probes.push_back({i, glm::dvec3(0.0)});
+    const RoughMapPlan plan = plan_rough_maps(data, most_size, probes);
     const std::uint32_t source = plan.largest_source();
     if (source == 0) return 0;
     return (plan.texels + MapPrefilter::source_texels(source)) * sizeof(glm::vec3) +

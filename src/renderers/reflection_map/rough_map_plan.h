@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderers/common/scene_data.h"
+#include "renderers/reflection_map/probes.h"
 
 #include "interop/rough_map.h"
 
@@ -12,22 +13,29 @@ namespace utsuri {
 
 /// The maps of every instance with a rough lobe: which roughness, which size, and where their texels are.
 struct RoughMapPlan {
-    std::vector<interop::RoughMapInfo>
-        infos;  ///< of each instance of the scene; places and boxes are not set
+    std::vector<interop::RoughMapInfo> infos;  ///< of each instance of the scene
+    std::vector<interop::RoughProbe> probes;   ///< proxies are not set
     std::vector<interop::RoughLevel> levels;
     std::vector<std::uint32_t>
         source_sizes;  ///< texels along an edge of what is captured for each instance, or 0
     std::uint64_t texels = 0;
 
     [[nodiscard]] std::uint32_t largest_source() const;
+    /// Capture points of one instance, at least 1.
+    [[nodiscard]] std::uint32_t most_probes() const;
     /// Perceptual roughness of a level of an instance, its first being 0.
     [[nodiscard]] float roughness(std::uint32_t instance, std::uint32_t level) const;
 };
 
-/// @param most_size largest size of anything that is captured, >= 1
-RoughMapPlan plan_rough_maps(const SceneData& data, std::uint32_t most_size);
+/// Instances with a rough lobe, ascending.
+std::vector<std::uint32_t> rough_instances(const SceneData& data);
 
-/// Device memory of the maps of a scene while they are captured, in bytes.
+/// @param most_size largest size of anything that is captured, >= 1
+/// @param probes of each of rough_instances(), in their order
+RoughMapPlan plan_rough_maps(const SceneData& data, std::uint32_t most_size,
+                             const std::vector<Probe>& probes);
+
+/// Device memory of the maps of a scene while they are captured, each instance's from one point, in bytes.
 std::uint64_t rough_map_bytes(const SceneData& data, std::uint32_t most_size);
 
 }  // namespace utsuri

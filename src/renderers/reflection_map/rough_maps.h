@@ -4,6 +4,8 @@
 #include "renderers/common/gpu_scene.h"
 #include "renderers/common/light_cache.h"
 #include "renderers/common/renderer.h"
+#include "renderers/reflection_map/map_kind.h"
+#include "renderers/reflection_map/map_prefilter.h"
 #include "renderers/reflection_map/proxy.h"
 #include "renderers/reflection_map/rough_map_plan.h"
 
@@ -22,14 +24,14 @@ struct RoughMapSettings {
     std::uint32_t size = 256;    ///< texels along an edge of a face of what is captured, at most
     std::uint32_t samples = 16;  ///< per texel, >= 1
     std::optional<glm::dvec3> capture_point = std::nullopt;  ///< world space; each instance's own if not set
-    bool uses_proxies = false;                               ///< whether look-ups are corrected by proxies
-    bool keeps_distances = false;                            ///< or by distances
-    std::optional<GivenProxy> proxy = std::nullopt;          ///< fitted to what each instance sees if not set
+    std::uint32_t most_probes = 1;                   ///< capture points of an instance, [1, kMostProbes]
+    MapKind kind = MapKind::cube;                    ///< how they are looked up
+    std::optional<GivenProxy> proxy = std::nullopt;  ///< fitted to what each instance sees if not set
 };
 
 /// What rough lobes reflect: for every instance that has some, cubes of maps captured without it from one
-/// point, and convolved with the lobe at as many steps of roughness as the instance has. Where they are to
-/// tell places, so is one over the distance of what the lobe sees.
+/// point or several, and convolved with the lobe at as many steps of roughness as the instance has. Where
+/// they are to tell places, so is one over the distance of what the lobe sees.
 class RoughMaps {
   public:
     /// @throws UsageError if the maps cannot fit into one buffer of the device
@@ -52,6 +54,9 @@ class RoughMaps {
     [[nodiscard]] std::vector<float> inverse_distances(std::uint32_t level, std::uint32_t face) const;
 
   private:
+    /// The maps of one probe.
+    /// @param frame as MapPrefilter::capture() has it, of the probe's instance
+    FrameCounts capture(MapPrefilter& prefilter, std::uint32_t probe, const FrameSettings& frame);
     /// Of a face of a level, border included.
     [[nodiscard]] std::uint32_t stride(std::uint32_t level) const;
     [[nodiscard]] std::uint64_t first_texel(std::uint32_t level, std::uint32_t face) const;
@@ -61,6 +66,7 @@ class RoughMaps {
     std::vector<interop::ProxyPlane> proxy_planes_;
     RoughMapPlan plan_;
     Buffer infos_;
+    Buffer probes_;
     Buffer proxy_plane_buffer_;
     Buffer levels_;
     Buffer texels_;

@@ -2,6 +2,7 @@
 #include "renderers/reflection_map/probes.h"
 
 #include "renderers/reflection_map/capture_point.h"
+#include "renderers/reflection_map/reflectors.h"
 #include "support/scenes.h"
 
 #include "geometry/reference_intersection.h"
@@ -44,7 +45,7 @@ Scene screened_mirror() {
 
 std::vector<glm::dvec3> points(const SceneData& data, MapKind kind, std::uint32_t most) {
     std::vector<glm::dvec3> result;
-    for (const Probe& probe : place_probes(data, find_reflectors(data), kind, {most, {}}))
+    for (const Probe& probe : place_probes(data, find_reflectors(data).instances, kind, {most, {}}))
         result.push_back(probe.capture_point);
     return result;
 }

@@ -13,7 +13,7 @@ TEST(RoughMapPlan, ASceneWithoutRoughLobesNeedsNothing) {
     test::add(scene, test::icosphere(glm::vec3(0.0f), 1.0f, 1), test::mirror());
     test::add(scene, test::room(glm::vec3(-2.0f), glm::vec3(2.0f)), test::lambert(glm::vec3(0.5f)));
     const SceneData data = prepare_scene_data(scene);
-    const RoughMapPlan plan = plan_rough_maps(data, 256);
+    const RoughMapPlan plan = plan_rough_maps(data, 256, {});
     EXPECT_TRUE(plan.levels.empty());
     EXPECT_EQ(plan.texels, 0u);
     EXPECT_EQ(rough_map_bytes(data, 256), 0u);
@@ -23,7 +23,8 @@ TEST(RoughMapPlan, OneRoughnessIsOneLevel) {
     Scene scene;
     test::add(scene, test::icosphere(glm::vec3(0.0f), 1.0f, 1), test::mirror());
     test::add(scene, test::icosphere(glm::vec3(3.0f), 1.0f, 1), test::rough_metal(0.5f));
-    const RoughMapPlan plan = plan_rough_maps(prepare_scene_data(scene), 256);
+    const RoughMapPlan plan =
+        plan_rough_maps(prepare_scene_data(scene), 256, {{0, glm::dvec3(3.0, 0.0, 0.0)}});
     ASSERT_EQ(plan.infos.size(), 2u);
     EXPECT_EQ(plan.infos[0].levels, 0u);
     EXPECT_EQ(plan.infos[1].levels, 1u);
@@ -31,6 +32,34 @@ TEST(RoughMapPlan, OneRoughnessIsOneLevel) {
     ASSERT_EQ(plan.levels.size(), 1u);
     EXPECT_EQ(plan.levels[0].size, 16u) << "4 / alpha";
     EXPECT_EQ(plan.texels, 6u * 18u * 18u);
+}
+
+TEST(RoughMapPlan, EachCapturePointHasItsLevels) {
+    Scene scene;
+    test::add(scene, test::icosphere(glm::vec3(0.0f), 1.0f, 1), test::mirror());
+    test::add(scene, test::icosphere(glm::vec3(3.0f), 1.0f, 1), test::rough_metal(0.5f));
+    test::add(scene, test::icosphere(glm::vec3(6.0f), 1.0f, 1), test::rough_metal(0.5f));
+    const SceneData data = prepare_scene_data(scene);
+    EXPECT_EQ(rough_instances(data), (std::vector<std::uint32_t>{1, 2}));
+    const std::vector<Probe> probes = {{0, glm::dvec3(3.0)},
+                                       {0, glm::dvec3(3.0, 3.0, 7.0)},
+                                       {0, glm::dvec3(3.0, 3.0, 5.0)},
+                                       {1, glm::dvec3(6.0)}};
+    const RoughMapPlan plan = plan_rough_maps(data, 256, probes);
+    EXPECT_EQ(plan.infos[1].first_probe, 0u);
+    EXPECT_EQ(plan.infos[1].probes, 3u);
+    EXPECT_EQ(plan.infos[1].blend_width, 1.0f) << "half of what the nearest two are apart";
+    EXPECT_EQ(plan.infos[2].first_probe, 3u);
+    EXPECT_EQ(plan.infos[2].probes, 1u);
+    EXPECT_EQ(plan.most_probes(), 3u);
+    ASSERT_EQ(plan.probes.size(), 4u);
+    ASSERT_EQ(plan.levels.size(), 4u);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(plan.probes[i].capture_point, glm::vec3(probes[i].capture_point));
+        EXPECT_EQ(plan.probes[i].first_level, i);
+        EXPECT_EQ(plan.levels[i].first_texel, i * 6 * 18 * 18);
+    }
+    EXPECT_EQ(plan.texels, 4u * 6u * 18u * 18u);
 }
 
 TEST(RoughMapPlan, LevelsCoverTheRoughnessOfATexture) {
@@ -43,7 +72,7 @@ TEST(RoughMapPlan, LevelsCoverTheRoughnessOfATexture) {
     Material material = test::rough_metal(0.75f);
     material.metallic_roughness_texture.texture = 0;
     test::add(scene, test::icosphere(glm::vec3(0.0f), 1.0f, 1), material);
-    const RoughMapPlan plan = plan_rough_maps(prepare_scene_data(scene), 64);
+    const RoughMapPlan plan = plan_rough_maps(prepare_scene_data(scene), 64, {{0, glm::dvec3(0.0)}});
     const interop::RoughMapInfo& info = plan.infos[0];
     EXPECT_EQ(info.levels, 7u);
     EXPECT_NEAR(info.least_roughness + static_cast<float>(info.levels - 1) / info.steps_per_unit, 0.75f,
