@@ -49,20 +49,48 @@ class RoughProbes : public DeviceTest {
     }
 };
 
-TEST_F(RoughProbes, ALargeFloorIsCloserToTracingFromFourPointsThanFromOne) {
-    RenderSettings settings;
-    settings.width = settings.height = 32;
-    const Image traced =
-        Observer(device(), screened_floor()).picture(look_at({0, 8, 1e-3}, {0, 0, 0}, 0.2), settings, 256);
+/// A room with a floor of rough metal, half of it behind a screen from the lamp.
+Scene parted_room(float roughness) {
+    Scene scene;
+    add(scene, quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}), rough_metal(roughness));
+    add(scene, room({-2, -0.2f, -2}, {2, 2.5f, 2}), lambert(glm::vec3(0.6f)));
+    add(scene, quad({0.5f, 0, -2}, {0, 0, 2.5f}, {0, 2, 0}), lambert(glm::vec3(0.5f)));
+    add(scene, quad({-1.5f, 2.45f, -1}, {1, 0, 0}, {0, 0, 1}), emitter(glm::vec3(10.0f)));
+    return scene;
+}
+
+class PartedRoom : public DeviceTest {
+  protected:
+    template <typename AnyObserver>
+    static Image picture(AnyObserver& observer, std::uint32_t samples) {
+        RenderSettings settings;
+        settings.width = 48;
+        settings.height = 32;
+        return observer.picture(look_at({-1.2, 1.8, 1.9}, {0.6, 0, -0.6}, 1.0), settings, samples);
+    }
+};
+
+// Measured: at a roughness of 0.3, 0.49 to 0.25 of the mean without a proxy, 0.20 to 0.08 with boxes; at 0.6,
+// where the lobes blur more than the points differ, 0.31 to 0.15 and 0.17 to 0.16.
+TEST_F(PartedRoom, IsCloserToTracingFromFourPointsThanFromOne) {
+    Observer tracing(device(), parted_room(0.3f));
+    const Image traced = picture(tracing, 256);
     for (const MapKind kind : {MapKind::cube, MapKind::proxy}) {
         const auto difference = [&](std::uint32_t most) {
-            MapObserver observer(device(), screened_floor(), kind, from_points(most));
-            return mean_difference(floor_from_above(observer, 32), traced);
+            MapObserver observer(device(), parted_room(0.3f), kind, from_points(most));
+            return mean_difference(picture(observer, 4), traced);
         };
-        const double one = difference(1);
-        const double four = difference(4);
-        EXPECT_LE(four, 0.8 * one) << static_cast<int>(kind);
+        EXPECT_LE(difference(4), 0.6 * difference(1)) << "kind of map " << static_cast<int>(kind);
     }
+}
+
+// Measured from two points: 0.14 instead of 0.11 at a roughness of 0.3, 0.20 instead of 0.17 at 0.6.
+TEST_F(PartedRoom, IsSeenFromOnePointByDistances) {
+    const auto pixels = [&](std::uint32_t most) {
+        MapObserver observer(device(), parted_room(0.3f), MapKind::distance, from_points(most));
+        return picture(observer, 1).pixels;
+    };
+    EXPECT_EQ(pixels(4), pixels(1));
 }
 
 // From one pixel to the next a lobe passes each capture point nearer or farther by a pixel at most, so the
@@ -88,12 +116,10 @@ TEST_F(RoughProbes, NeighbouringPixelsDifferByNoMoreThanTheWeightsMayChange) {
             range = std::max(range, here);
         }
     }
-                double(plan.infos[0].blend_width));
-                // The eye turns by a pixel, too, over which a lobe of width alpha changes by no more than its
-                // share of that.
-                const double turn = 0.2 / kEdge / (0.7 * 0.7);
-                EXPECT_LE(most,
-                          range * (2.0 * pixel / static_cast<double>(plan.infos[0].blend_width) + turn));
+    // The eye turns by a pixel, too, over which a lobe of width alpha changes by no more than its share of
+    // that.
+    const double turn = 0.2 / kEdge / (0.7 * 0.7);
+    EXPECT_LE(most, range * (2.0 * pixel / static_cast<double>(plan.infos[0].blend_width) + turn));
 }
 
 TEST_F(RoughProbes, UniformSurroundingsStayUniform) {

@@ -36,7 +36,10 @@ std::optional<RadianceBounds> make_radiance_bounds(Device& device, const Reflect
 RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps) {
     // Of lobes only the sharpest would see finer maps than that.
     const std::uint32_t size = maps.fitted ? std::min(maps.size, MapSettings().size) : maps.size;
-    return {size, maps.samples, maps.capture_point, maps.most_probes, kind, maps.proxy};
+    // By distances, lobes are closer from one point that sees what they reflect than blended with others that
+    // may not: rough_probes_test.cpp.
+    const std::uint32_t most_probes = keeps_distances(kind) ? 1 : maps.most_probes;
+    return {size, maps.samples, maps.capture_point, most_probes, kind, maps.proxy};
 }
 
 PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
