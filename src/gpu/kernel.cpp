@@ -8,8 +8,8 @@ namespace {
 
 Pipeline create_pipeline(Device& device, std::string name, std::span<const std::uint32_t> spirv,
                          const Specialization& specialization, std::uint32_t push_bytes) {
-    PipelineInterface interface(device, std::move(name), std::span(&spirv, 1),
-                                vk::ShaderStageFlagBits::eCompute, push_bytes);
+    const StageModule module{vk::ShaderStageFlagBits::eCompute, spirv};
+    PipelineInterface interface(device, std::move(name), std::span(&module, 1), push_bytes);
     return vulkan_call("create kernel", interface.name(), [&] {
         const ShaderStage stage(device, vk::ShaderStageFlagBits::eCompute, spirv, specialization);
         vk::raii::Pipeline pipeline =

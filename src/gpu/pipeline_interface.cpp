@@ -7,27 +7,41 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include <map>
 
 namespace utsuri {
 namespace {
 
-std::vector<std::uint32_t> all_bindings(std::span<const std::span<const std::uint32_t>> modules) {
-    std::set<std::uint32_t> numbers;
-    for (const std::span<const std::uint32_t> module : modules) {
-        for (const std::uint32_t number : spirv_bindings(module))
-            numbers.insert(number);
+/// Binding numbers and the stages that declare them.
+using StagesOfBindings = std::map<std::uint32_t, vk::ShaderStageFlags>;
+
+StagesOfBindings stages_of_bindings(std::span<const StageModule> modules) {
+    StagesOfBindings result;
+    for (const StageModule& module : modules) {
+        for (const std::uint32_t number : spirv_bindings(module.spirv))
+            result[number] |= module.stage;
     }
-    return {numbers.begin(), numbers.end()};
+    return result;
 }
 
-vk::raii::DescriptorSetLayout create_set_layout(const Device& device,
-                                                const std::vector<std::uint32_t>& bindings,
-                                                vk::ShaderStageFlags stages) {
+std::vector<std::uint32_t> binding_numbers(std::span<const StageModule> modules) {
+    std::vector<std::uint32_t> numbers;
+    for (const auto& [number, stages] : stages_of_bindings(modules))
+        numbers.push_back(number);
+    return numbers;
+}
+
+vk::ShaderStageFlags all_stages(std::span<const StageModule> modules) {
+    vk::ShaderStageFlags stages;
+    for (const StageModule& module : modules)
+        stages |= module.stage;
+    return stages;
+}
+
+vk::raii::DescriptorSetLayout create_set_layout(const Device& device, std::span<const StageModule> modules) {
     std::vector<vk::DescriptorSetLayoutBinding> entries;
-    entries.reserve(bindings.size());
-    for (const std::uint32_t binding : bindings)
-        entries.emplace_back(binding, vk::DescriptorType::eStorageBuffer, 1, stages);
+    for (const auto& [number, stages] : stages_of_bindings(modules))
+        entries.emplace_back(number, vk::DescriptorType::eStorageBuffer, 1, stages);
     return device.handle().createDescriptorSetLayout({{}, entries});
 }
 
@@ -66,16 +80,14 @@ vk::PipelineShaderStageCreateInfo ShaderStage::info() const {
     return {{}, stage_, *module_, "main", &constants_};
 }
 
-PipelineInterface::PipelineInterface(Device& device, std::string name,
-                                     std::span<const std::span<const std::uint32_t>> modules,
-                                     vk::ShaderStageFlags stages, std::uint32_t push_bytes)
+PipelineInterface::PipelineInterface(Device& device, std::string name, std::span<const StageModule> modules,
+                                     std::uint32_t push_bytes)
     : device_(&device),
       name_(std::move(name)),
-      stages_(stages),
+      stages_(all_stages(modules)),
       push_bytes_(push_bytes),
-      binding_numbers_(all_bindings(modules)),
-      set_layout_(vulkan_call("create pipeline", name_,
-                              [&] { return create_set_layout(device, binding_numbers_, stages_); })),
+      binding_numbers_(binding_numbers(modules)),
+      set_layout_(vulkan_call("create pipeline", name_, [&] { return create_set_layout(device, modules); })),
       layout_(vulkan_call("create pipeline", name_,
                           [&] { return create_layout(device, set_layout_, stages_, push_bytes_); })) {}
 

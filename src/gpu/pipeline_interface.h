@@ -49,14 +49,19 @@ class ShaderStage {
     vk::SpecializationInfo constants_;
 };
 
+/// The SPIR-V of one stage.
+struct StageModule {
+    vk::ShaderStageFlagBits stage;
+    std::span<const std::uint32_t> spirv;
+};
+
 /// What a pipeline reads: storage buffers in set 0, found from its SPIR-V, and one push constant block.
 /// Move-only.
 class PipelineInterface {
   public:
-    /// @param modules the SPIR-V of all stages
-    /// @param push_bytes size of the push constant block, 0 for none, at most 128
-    PipelineInterface(Device& device, std::string name,
-                      std::span<const std::span<const std::uint32_t>> modules, vk::ShaderStageFlags stages,
+    /// Each buffer is bound for the stages that declare it: devices bound how many one stage may see.
+    /// @param push_bytes size of the push constant block that all stages see, 0 for none, at most 128
+    PipelineInterface(Device& device, std::string name, std::span<const StageModule> modules,
                       std::uint32_t push_bytes);
     PipelineInterface(PipelineInterface&& other) noexcept;
     PipelineInterface& operator=(PipelineInterface&& other) noexcept;

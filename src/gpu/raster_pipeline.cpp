@@ -11,13 +11,11 @@
 namespace utsuri {
 namespace {
 
-constexpr vk::ShaderStageFlags kStages =
-    vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-
-std::vector<std::span<const std::uint32_t>> modules(std::span<const std::uint32_t> vertex,
-                                                    std::span<const std::uint32_t> fragment) {
-    if (fragment.empty()) return {vertex};
-    return {vertex, fragment};
+std::vector<StageModule> modules(std::span<const std::uint32_t> vertex,
+                                 std::span<const std::uint32_t> fragment) {
+    std::vector<StageModule> result = {{vk::ShaderStageFlagBits::eVertex, vertex}};
+    if (!fragment.empty()) result.push_back({vk::ShaderStageFlagBits::eFragment, fragment});
+    return result;
 }
 
 vk::raii::Pipeline create_pipeline(const Device& device, const PipelineInterface& interface,
@@ -128,7 +126,7 @@ RasterPipeline::RasterPipeline(Device& device, const std::string& name, std::spa
                                std::uint32_t push_bytes, const DepthState& depth, const ColourState& colour)
     : pipeline_(device.pipelines().find_or_make(
           recipe(vertex, fragment, specialization, push_bytes, depth, colour), [&] {
-              PipelineInterface interface(device, name, modules(vertex, fragment), kStages, push_bytes);
+              PipelineInterface interface(device, name, modules(vertex, fragment), push_bytes);
               vk::raii::Pipeline pipeline = vulkan_call("create pipeline", name, [&] {
                   return create_pipeline(device, interface, vertex, fragment, specialization, depth, colour);
               });

@@ -96,6 +96,13 @@ TEST(Kernels, BindOnlyWhatInteropNumbers) {
     EXPECT_EQ(used, numbers) << "a binding number that no kernel uses";
 }
 
+// Metal binds 31 buffers to a stage, of which MoltenVK takes one for push constants; lavapipe binds 32.
+TEST(Kernels, ReadNoMoreBuffersThanDevicesBindToAStage) {
+    constexpr std::size_t kMostBuffers = 30;
+    for (const test::ProductKernel& kernel : test::product_kernels())
+        EXPECT_LE(spirv_bindings(kernel.spirv).size(), kMostBuffers) << kernel.name;
+}
+
 TEST(Kernels, SpecializeOnlyWhatInteropNumbers) {
     const std::set<std::uint32_t> ids = declared("specialization.h", "SPEC_");
     EXPECT_EQ(ids.size(), interop::SPEC_COUNT);
