@@ -5,6 +5,7 @@
 #include "compare/comparison_table.h"
 #include "renderers/common/film.h"
 #include "renderers/common/light_cache.h"
+#include "renderers/reflection_map/distance_maps.h"
 #include "renderers/reflection_map/rough_map_plan.h"
 
 #include <fmt/format.h>
@@ -30,6 +31,7 @@ struct Prediction {
     std::uint64_t drawing = 0;       ///< the pictures that are drawn into
     std::uint64_t polygon_maps = 0;  ///< with their film
     std::uint64_t rough_maps = 0;    ///< what rough lobes reflect, with what it takes to capture that
+    std::uint64_t distances = 0;     ///< beside both, for methods that keep distances
 };
 
 Prediction predict(const SceneData& data, const RenderSettings& settings, const MapSettings& maps) {
@@ -50,6 +52,8 @@ Prediction predict(const SceneData& data, const RenderSettings& settings, const 
             Film::bytes(maps.size + 2, maps.size + 2);
     }
     prediction.rough_maps = rough_map_bytes(data, maps.size);
+    prediction.distances = reflectors * DistanceMaps::bytes(DistanceMaps::size_for(maps.size)) +
+                           rough_distance_bytes(data, maps.size);
     return prediction;
 }
 
@@ -101,6 +105,7 @@ std::string describe(const InfoOptions& options, const LoadedScene& loaded, cons
     row("drawing", format_bytes(memory.drawing));
     row("polygon maps", format_bytes(memory.polygon_maps));
     row("maps of rough lobes", format_bytes(memory.rough_maps));
+    row("distances beside maps", format_bytes(memory.distances));
     if (!loaded.notes.empty()) text += "notes\n";
     for (const std::string& note : loaded.notes)
         text += fmt::format("  {}\n", note);
@@ -144,7 +149,8 @@ nlohmann::ordered_json to_json(const InfoOptions& options, const LoadedScene& lo
               {"light", memory.light},
               {"drawing", memory.drawing},
               {"polygon_maps", memory.polygon_maps},
-              {"rough_maps", memory.rough_maps}}},
+              {"rough_maps", memory.rough_maps},
+              {"distances", memory.distances}}},
             {"notes", loaded.notes}};
 }
 

@@ -84,11 +84,15 @@ class Queries(CliCase):
         cube = self.json_of("info", self.scene("office"))["predicted_bytes"]
         film = 48 * 258 * 258  # of one map
         self.assertEqual((tetrahedron["polygon_maps"] - film) * 6, (cube["polygon_maps"] - film) * 4)
+        coarse = self.json_of("info", self.scene("office"), "--map-size", "64")["predicted_bytes"]
+        self.assertGreater(coarse["distances"], 0)
+        self.assertGreater(cube["distances"], coarse["distances"])
 
     def test_info_predicts_no_maps_without_specular_lobes(self):
         predicted = self.json_of("info", self.scene("cornell"))["predicted_bytes"]
         self.assertEqual(predicted["polygon_maps"], 0)
         self.assertEqual(predicted["rough_maps"], 0)
+        self.assertEqual(predicted["distances"], 0)
         self.assertGreater(self.json_of("info", self.scene("office"))["predicted_bytes"]["rough_maps"], 0)
 
     def test_version_and_help(self):

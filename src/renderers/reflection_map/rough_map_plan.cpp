@@ -80,6 +80,14 @@ void add_levels(RoughMapPlan& plan, std::uint32_t instance, const glm::dvec3& ca
     }
 }
 
+/// With a capture point for each rough instance, wherever that is.
+RoughMapPlan plan_from_one_point(const SceneData& data, std::uint32_t most_size) {
+    std::vector<Probe> probes;
+    for (std::uint32_t i = 0; i < rough_instances(data).size(); ++i)
+        probes.push_back({i, glm::dvec3(0.0)});
+    return plan_rough_maps(data, most_size, probes);
+}
+
 }  // namespace
 
 std::uint32_t RoughMapPlan::largest_source() const {
@@ -131,15 +139,17 @@ RoughMapPlan plan_rough_maps(const SceneData& data, std::uint32_t most_size,
 }
 
 std::uint64_t rough_map_bytes(const SceneData& data, std::uint32_t most_size) {
-    const std::vector<std::uint32_t> rough = rough_instances(data);
-    std::vector<Probe> probes;
-    for (std::uint32_t i = 0; i < rough.size(); ++i)
-        probes.push_back({i, glm::dvec3(0.0)});
-    const RoughMapPlan plan = plan_rough_maps(data, most_size, probes);
+    const RoughMapPlan plan = plan_from_one_point(data, most_size);
     const std::uint32_t source = plan.largest_source();
     if (source == 0) return 0;
     return (plan.texels + MapPrefilter::source_texels(source)) * sizeof(glm::vec3) +
            Film::bytes(source, source);
+}
+
+std::uint64_t rough_distance_bytes(const SceneData& data, std::uint32_t most_size) {
+    const RoughMapPlan plan = plan_from_one_point(data, most_size);
+    const std::uint32_t source = plan.largest_source();
+    return source == 0 ? 0 : (plan.texels + MapPrefilter::source_texels(source)) * sizeof(float);
 }
 
 }  // namespace utsuri

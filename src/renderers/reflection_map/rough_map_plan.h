@@ -37,5 +37,7 @@ RoughMapPlan plan_rough_maps(const SceneData& data, std::uint32_t most_size,
 
 /// Device memory of the maps of a scene while they are captured, each instance's from one point, in bytes.
 std::uint64_t rough_map_bytes(const SceneData& data, std::uint32_t most_size);
+/// The same of the distances that methods which keep some add to the maps.
+std::uint64_t rough_distance_bytes(const SceneData& data, std::uint32_t most_size);
 
 }  // namespace utsuri
