@@ -23,5 +23,6 @@ void main() {
     vec2 p = cube_place(uvec2(index % push.size, index % per_face / push.size), push.size);
     vec3 direction = normalize(cube_vector(vec3(p, 1.0), index / per_face));
     Hit hit = closest_hit(make_ray(push.capture_point, direction, NONE, push.excluded_instance));
-    map_inverse_distances[index] = hit.triangle == NONE ? 0.0 : 1.0 / hit.t;
+    // What touches the capture point is finitely near.
+    map_inverse_distances[index] = hit.triangle == NONE ? 0.0 : min(1.0 / hit.t, 1e30);
 }

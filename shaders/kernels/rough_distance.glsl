@@ -40,6 +40,7 @@ vec3 direction_of_rough_hit(RoughLobe lobe, vec3 origin, vec3 direction) {
     float s = beyond_by;
     for (uint i = 0u; i < ROUGH_HIT_STEPS; ++i) {
         vec3 place = s * origin + direction;
+        if (place == vec3(0.0)) break;  // at the capture point
         float by = length(place) * rough_inverse_distance(lobe, place) - s;
         if (abs(by) <= ROUGH_HIT_PRECISION * s) break;
         float stride = ROUGH_HIT_STRIDE;
@@ -57,5 +58,6 @@ vec3 direction_of_rough_hit(RoughLobe lobe, vec3 origin, vec3 direction) {
         if (!isinf(before)) stride = (before - beyond) / (beyond_by - before_by);
         s = beyond + stride * beyond_by;
     }
-    return s * origin + direction;
+    vec3 place = s * origin + direction;
+    return place == vec3(0.0) ? direction : place;
 }
