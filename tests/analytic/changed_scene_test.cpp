@@ -92,9 +92,10 @@ Scene later(int step) {
     if (step >= 3) move(scene, 2, {0.125, 0.0, 0.25});
     if (step >= 4) material_of(scene, 0).base_colour = {0.2f, 0.7f, 0.4f};
     if (step >= 5) move(scene, 1, {0.25, 0.0, 0.25});
+    if (step >= 6) material_of(scene, 0).base_colour = glm::vec3(0.0f);  // keeps no light any more
     return scene;
 }
-constexpr int kSteps = 5;
+constexpr int kSteps = 6;
 
 TEST_F(ChangedScene, LooksAsIfItHadAlwaysBeenSo) {
     const Camera camera = everything_camera();
@@ -111,6 +112,31 @@ TEST_F(ChangedScene, LooksAsIfItHadAlwaysBeenSo) {
             EXPECT_EQ(now, made_anew(method, camera));
             before = now;
         }
+    }
+}
+
+TEST_F(ChangedScene, LooksAsIfItHadAlwaysBeenSoInMapsOnAnyPolyhedron) {
+    const Camera camera = everything_camera();
+    for (const char* name : {"tetrahedron", "octahedron"}) {
+        maps_.polyhedron = platonic_solid(name);
+        prepare(everything_scene());
+        const std::unique_ptr<Renderer> following = prepared(MapKind::polygon, camera);
+        following->follow(change(later(1)), silent_);
+        EXPECT_EQ(picture(*following), made_anew(MapKind::polygon, camera)) << name;
+    }
+}
+
+TEST_F(ChangedScene, IsFollowedFromAnotherEye) {
+    Camera elsewhere = everything_camera();
+    elsewhere.position += 0.25 * elsewhere.right;
+    elsewhere.position -= 0.125 * elsewhere.up;
+    for (const MapKind kind : kMapKinds) {
+        prepare(everything_scene());
+        const std::unique_ptr<Renderer> following = prepared(kind, everything_camera());
+        following->look_from(elsewhere);
+        following->follow(change(later(1)), silent_);
+        EXPECT_EQ(picture(*following), made_anew(kind, elsewhere))
+            << "kind of map " << static_cast<int>(kind);
     }
 }
 
@@ -186,6 +212,7 @@ TEST_F(ChangedRoom, CapturesOnlyMapsThatSeeTheChange) {
 
 TEST_F(ChangedRoom, MeasuresOnlyDistancesThatChanged) {
     maps_.captures_all = true;
+    maps_.size = 64;
     prepare(scene());
     const std::unique_ptr<Renderer> following = prepared(MapKind::distance, look_at({0, 0, 2}, {0, 0, 0}));
     const std::uint64_t all = following->statistics().prepare_counts.rays;

@@ -34,11 +34,6 @@ std::uint64_t lattice_points(const interop::LightCacheTriangle& lattice) {
     return lattice.rows_per_interval * (n * (n + 3) / 2) + 1;
 }
 
-/// Whether any light that arrives is reflected diffusely.
-bool is_diffuse(const interop::MaterialInfo& material) {
-    return material.metallic < 1.0f && material.base_colour != glm::vec3(0.0f);
-}
-
 /// Rows over a triangle that keep neighbours in and across rows within `spacing`.
 interop::LightCacheTriangle plan_rows(const interop::BvhTriangle& triangle, double spacing) {
     const std::array<glm::dvec3, 3> corners = {glm::dvec3(triangle.v0), glm::dvec3(triangle.v1),
@@ -60,9 +55,9 @@ std::vector<interop::LightCacheTriangle> plan(const SceneData& data, double spac
     result.reserve(data.triangle_infos.size());
     std::uint64_t first = 0;
     for (std::size_t t = 0; t < data.triangle_infos.size(); ++t) {
-        const bool keeps_light = is_diffuse(data.materials[data.triangle_infos[t].material]);
-        result.push_back(keeps_light ? plan_rows(data.bvh.triangles[t], spacing)
-                                     : interop::LightCacheTriangle{0, 0, 1, 0});
+        const interop::MaterialInfo& material = data.materials[data.triangle_infos[t].material];
+        result.push_back(keeps_light(material) ? plan_rows(data.bvh.triangles[t], spacing)
+                                               : interop::LightCacheTriangle{0, 0, 1, 0});
         result.back().first_point = static_cast<std::uint32_t>(first);
         first += lattice_points(result.back());
     }
@@ -109,6 +104,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 }  // namespace
+
+bool keeps_light(const interop::MaterialInfo& material) {
+    return material.metallic < 1.0f && material.base_colour != glm::vec3(0.0f);
+}
 
 std::uint64_t light_cache_points(const std::vector<interop::LightCacheTriangle>& plan) {
     std::uint64_t count = 0;

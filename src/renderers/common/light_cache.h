@@ -37,6 +37,9 @@ struct FilledLight {
     double compile_seconds = 0.0;  ///< pipeline
 };
 
+/// Whether light is kept on surfaces of a material: whether some that arrives is reflected diffusely.
+bool keeps_light(const interop::MaterialInfo& material);
+
 /// Where light is kept: a lattice over each triangle that has a diffuse part, fine enough for `spacing`, and
 /// coarser on all of them alike where the points would be more than `most_points`.
 /// @returns an entry for each triangle, in device order

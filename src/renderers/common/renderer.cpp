@@ -14,6 +14,13 @@ void accumulate(FrameCounts& a, const FrameCounts& b) {
     a.gpu_seconds += b.gpu_seconds;
 }
 
+void Renderer::restart_statistics() {
+    RenderStatistics statistics;
+    statistics.maps = statistics_.maps;
+    statistics.captured_maps = statistics_.captured_maps;
+    statistics_ = statistics;
+}
+
 void Renderer::add_samples(Film& film, std::uint32_t count, Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     accumulate(statistics_.counts, render(film, count, progress));

@@ -48,7 +48,8 @@ class Renderer {
     /// prepared and the change touches. Pictures are then those of a renderer made for the scene as it is.
     /// statistics() start anew with what that took. prepare() comes first; every renderer follows every
     /// change.
-    /// @throws Interrupted if progress says so; the renderer must not be used then
+    /// @throws Interrupted if progress says so; after this and any other exception the renderer must not be
+    /// used
     virtual void follow(const SceneChange& change, Progress& progress) = 0;
     /// Moves the eye; what was prepared stays.
     virtual void look_from(const Camera& camera) = 0;
@@ -72,6 +73,8 @@ class Renderer {
     [[nodiscard]] const RenderStatistics& statistics() const { return statistics_; }
 
   protected:
+    /// Of the maps only, until something adds to the rest.
+    void restart_statistics();
     virtual FrameCounts render(Film& film, std::uint32_t count, Progress& progress) = 0;
 
     RenderStatistics statistics_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/common/scene_change.h"
 
+#include "renderers/common/light_cache.h"
+
 #include "base/error.h"
 
 #include <fmt/format.h>
@@ -41,6 +43,11 @@ std::string differing_requirement(const SceneData& before, const SceneData& afte
           count("lights that shine", after.lights.size(), before.lights.size())}) {
         if (!text.empty()) return text;
     }
+    if (b.environment != a.environment) return "its surroundings were switched on or off";
+    if ((b.punctual_lights > 0) != (a.punctual_lights > 0))
+        return "it now has punctual lights, or none any more";
+    if ((b.emissive_triangles > 0) != (a.emissive_triangles > 0))
+        return "it now has surfaces that shine, or none any more";
     if (!same(after.texture_headers, before.texture_headers)) return "its textures have other sizes";
     if (b.surfaces != a.surfaces)
         return "a material now needs other features: it became rough, a mirror or neither";
@@ -80,6 +87,7 @@ SceneChange find_changes(const SceneData& before, const SceneData& after) {
     for (std::size_t i = 0; i < after.materials.size(); ++i) {
         same_materials.push_back(same(before.materials[i], after.materials[i]) &&
                                  (same_texels || !uses_textures(after.materials[i])));
+        change.lights |= keeps_light(before.materials[i]) != keeps_light(after.materials[i]);
     }
     for (std::uint32_t t = 0; t < after.triangle_infos.size(); ++t) {
         const bool moved = has_moved(before, after, t);

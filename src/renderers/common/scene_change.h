@@ -13,7 +13,9 @@ struct SceneChange {
     std::vector<std::uint32_t> triangles;  ///< that moved, turned their normals, or look otherwise; ascending
     std::vector<interop::BvhTriangle> before;  ///< where each of them was
     bool geometry = false;                     ///< some triangle moved or turned its normals
-    bool lights = false;        ///< some light shines otherwise or elsewhere, or is chosen more or less often
+    /// Some light shines otherwise or elsewhere, is chosen more or less often, or falls on surfaces that
+    /// became diffuse or ceased to be.
+    bool lights = false;
     bool surroundings = false;  ///< the uniform surroundings shine otherwise
 
     [[nodiscard]] bool empty() const { return triangles.empty() && !lights && !surroundings; }

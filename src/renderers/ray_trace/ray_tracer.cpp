@@ -20,7 +20,7 @@ RayTracer::RayTracer(Device& device, const SceneData& data, const GpuScene& scen
 }
 
 void RayTracer::follow(const SceneChange&, Progress&) {
-    statistics_ = {};
+    restart_statistics();
 }
 
 void RayTracer::look_from(const Camera& camera) {

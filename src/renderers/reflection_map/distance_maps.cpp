@@ -100,12 +100,10 @@ void DistanceMaps::take_over(DistanceMaps& former) {
 }
 
 void DistanceMaps::forget(const SeenChanges& changes) {
-    for (std::size_t face = 0; face < captured_.size(); ++face) {
-        const std::size_t probe = face / interop::DISTANCE_FACES;
-        const ViewPyramid view = measured_face(
-            probes_[probe].capture_point, static_cast<std::uint32_t>(face % interop::DISTANCE_FACES), size_);
-        if (captured_[face] && changes.moved_in(view, instances_[probe])) captured_[face] = false;
-    }
+    if (changes.empty()) return;
+    forget_faces(captured_, probes_, size_, [&](const ViewPyramid& view, std::size_t probe) {
+        return changes.surfaces_differ_in(view, instances_[probe]);
+    });
 }
 
 FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_compile, Progress& progress) {

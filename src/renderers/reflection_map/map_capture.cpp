@@ -57,7 +57,7 @@ void MapCapture::prepare(const Camera& eye, const std::function<void(const glm::
     statistics.captured_maps = maps_.captured_count();
     if (statistics.maps == 0) return;
     const auto start = std::chrono::steady_clock::now();
-    if (!maps_.turned()) maps_.turn_to(eye);
+    maps_.turn_to(eye);
     tracer_.emplace(device_, "trace_cached", kernels::trace_cached,
                     tracing_specialization(scene_, maps_.kind()), tracing_bindings(scene_, light_));
     resolver_.emplace(device_, "resolve_map", kernels::resolve_map, Specialization{},

@@ -74,7 +74,7 @@ void MapRenderer::prepare(Progress& progress) {
 }
 
 void MapRenderer::follow(const SceneChange& change, Progress& progress) {
-    statistics_ = {};
+    restart_statistics();
     if (change.empty()) return;
     // What draws reads buffers of the maps.
     prediction_drawer_.reset();

@@ -110,7 +110,7 @@ void PlanarRenderer::prepare(Progress& progress) {
 }
 
 void PlanarRenderer::follow(const SceneChange& change, Progress& progress) {
-    statistics_ = {};
+    restart_statistics();
     if (change.empty()) return;
     // What draws reads buffers of the maps.
     prediction_drawer_.reset();

@@ -60,12 +60,10 @@ void RadianceBounds::take_over(RadianceBounds& former) {
 }
 
 void RadianceBounds::forget(const SeenChanges& changes) {
-    for (std::size_t face = 0; face < captured_.size(); ++face) {
-        const std::size_t probe = face / interop::DISTANCE_FACES;
-        const ViewPyramid view = measured_face(
-            probes_[probe].capture_point, static_cast<std::uint32_t>(face % interop::DISTANCE_FACES), size_);
-        if (captured_[face] && changes.look_otherwise_in(view, instances_[probe])) captured_[face] = false;
-    }
+    if (changes.empty()) return;
+    forget_faces(captured_, probes_, size_, [&](const ViewPyramid& view, std::size_t probe) {
+        return changes.look_otherwise_in(view, instances_[probe]);
+    });
 }
 
 FrameCounts RadianceBounds::capture(const GpuScene& scene, const LightCache& light,

@@ -203,16 +203,11 @@ void ReflectionMaps::take_over(ReflectionMaps& former) {
     const std::vector<std::uint32_t> then = former.instances();
     std::vector<std::uint32_t> moved;
     for (std::uint32_t probe = 0; probe < infos_.size(); ++probe) {
-        interop::ProbeInfo& info = infos_[probe];
-        const interop::ProbeInfo& before = former.infos_[probe];
-        info.map_right = before.map_right;
-        info.map_up = before.map_up;
-        info.map_forward = before.map_forward;
-        if (info.capture_point == before.capture_point && now[probe] == then[probe]) continue;
+        if (infos_[probe].capture_point == former.infos_[probe].capture_point && now[probe] == then[probe])
+            continue;
         for (std::uint32_t face = 0; face < maps_per_probe(); ++face)
             moved.push_back(probe * maps_per_probe() + face);
     }
-    if (!infos_.empty()) info_buffer_.upload(std::as_bytes(std::span(infos_)));
     set_states(moved, interop::MAP_EMPTY);
 }
 

@@ -56,9 +56,6 @@ class ReflectionMaps {
 
     /// Turns sphere maps, before any is captured, to an eye whose axes they follow.
     void turn_to(const Camera& eye);
-    [[nodiscard]] bool turned() const {
-        return !infos_.empty() && infos_.front().map_forward != glm::vec3(0.0f);
-    }
 
     /// Takes maps over from those of the scene before it changed, where they are as many and as fine: of the
     /// capture points that stay where they are.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace utsuri {
@@ -35,16 +36,20 @@ bool ViewPyramid::may_show(const interop::BvhTriangle& triangle) const {
     const auto along = [](const glm::dvec3& offset, const glm::dvec3& direction) {
         return glm::dot(offset, direction) / glm::dot(direction, direction);
     };
+    const glm::dvec3 normal = glm::normalize(glm::cross(right, up));
+    const double per_depth = glm::dot(forward, normal);
+    // Of depth, and of a place in the picture, by which both are off for an offset of length one.
+    const double shorter = std::min(glm::length(right), glm::length(up));
+    const double depth_rounding = kRounding / std::abs(per_depth);
+    const double rounding = kRounding / shorter + depth_rounding * (1.0 + glm::length(forward) / shorter);
     // Beyond the left, right, lower and upper side.
     std::array<int, 4> beyond{};
     for (const glm::vec3& vertex : {triangle.v0, triangle.v1, triangle.v2}) {
         const glm::dvec3 offset = glm::dvec3(vertex) - apex;
-        const double depth = along(offset, forward);
-        const double x = along(offset, right);
-        const double y = along(offset, up);
-        const double least = glm::length(offset) /
-                             std::min({glm::length(right), glm::length(up), glm::length(forward)}) *
-                             kRounding;
+        const double depth = glm::dot(offset, normal) / per_depth;
+        const double x = along(offset - depth * forward, right);
+        const double y = along(offset - depth * forward, up);
+        const double least = rounding * glm::length(offset);
         const std::array distances = {-x - depth, x - depth, -y - depth, y - depth};
         for (std::size_t side = 0; side < 4; ++side)
             beyond[side] += distances[side] > least ? 1 : 0;
@@ -60,7 +65,7 @@ SeenChanges::SeenChanges(const SceneData& data, const SceneChange& change, std::
     }
 }
 
-bool SeenChanges::moved_in(const ViewPyramid& view, std::uint32_t without) const {
+bool SeenChanges::surfaces_differ_in(const ViewPyramid& view, std::uint32_t without) const {
     for (std::size_t i = 0; i < change_.triangles.size(); ++i) {
         const std::uint32_t triangle = change_.triangles[i];
         if (data_.triangle_infos[triangle].instance == without) continue;
@@ -71,7 +76,8 @@ bool SeenChanges::moved_in(const ViewPyramid& view, std::uint32_t without) const
 
 bool SeenChanges::look_otherwise_in(const ViewPyramid& view, std::uint32_t without) const {
     if (empty()) return false;
-    if (change_.surroundings || moved_in(view, without) || shows_reflections(view, without)) return true;
+    if (change_.surroundings || surfaces_differ_in(view, without) || shows_reflections(view, without))
+        return true;
     return std::any_of(lit_.begin(), lit_.end(), [&](std::uint32_t triangle) {
         return data_.triangle_infos[triangle].instance != without &&
                view.may_show(data_.bvh.triangles[triangle]);

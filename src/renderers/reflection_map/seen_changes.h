@@ -13,11 +13,12 @@
 namespace utsuri {
 
 /// All that a picture in perspective may show: directions forward + x right + y up, with x and y in [-1, 1].
+/// `right` and `up` are at right angles; `forward` need not be the normal of their plane.
 struct ViewPyramid {
     glm::dvec3 apex;  ///< scene space
     glm::dvec3 right;
     glm::dvec3 up;
-    glm::dvec3 forward;  ///< the three at right angles
+    glm::dvec3 forward;
 
     explicit ViewPyramid(const interop::CameraInfo& camera);
     /// A face of a cube about a point, wider by a share of its edge.
@@ -39,9 +40,9 @@ class SeenChanges {
     SeenChanges(const SceneData& data, const SceneChange& change, std::vector<std::uint32_t> lit);
 
     [[nodiscard]] bool empty() const { return change_.empty() && lit_.empty(); }
-    /// Whether the surfaces in a view may be others, or elsewhere.
+    /// Whether the surfaces in a view may be others, elsewhere, or of another look.
     /// @param without the instance that the view leaves out
-    [[nodiscard]] bool moved_in(const ViewPyramid& view, std::uint32_t without) const;
+    [[nodiscard]] bool surfaces_differ_in(const ViewPyramid& view, std::uint32_t without) const;
     /// Whether a picture that traces what mirrors and rough lobes in it reflect may look otherwise.
     [[nodiscard]] bool look_otherwise_in(const ViewPyramid& view, std::uint32_t without) const;
 

@@ -87,6 +87,12 @@ TEST_F(SceneChanges, OfColoursLeaveLightAlone) {
     EXPECT_EQ(data_.light_revision, 0u);
 }
 
+TEST_F(SceneChanges, OfWhatIsDiffuseChangeLight) {
+    scene_.materials[0].base_colour = glm::vec3(0.0f);
+    EXPECT_TRUE(change().lights);
+    EXPECT_EQ(data_.light_revision, 1u);
+}
+
 TEST_F(SceneChanges, OfLightsAreTold) {
     scene_.lights[0].position.x = 3.0;
     SceneChange change = this->change();
@@ -120,6 +126,11 @@ TEST_F(SceneChanges, ThatNeedAnotherRendererAreRefused) {
     };
     EXPECT_THAT(problem([](Scene& s) { s.lights[0].intensity = glm::vec3(0.0f); }),
                 HasSubstr("it now has 3 lights that shine where it had 4; prepare it anew"));
+    EXPECT_THAT(problem([](Scene& s) {
+                    s.environment = glm::vec3(0.0f);
+                    s.lights.push_back(s.lights[0]);
+                }),
+                HasSubstr("its surroundings were switched on or off"));
     EXPECT_THAT(problem([](Scene& s) { s.materials[0] = mirror(); }), HasSubstr("it became rough, a mirror"));
     EXPECT_THAT(problem([](Scene& s) { s.meshes[0] = icosphere(glm::vec3(0), 1, 1); }),
                 HasSubstr("it now has 82 triangles where it had 4"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/seen_changes.h"
 
+#include "renderers/reflection_map/polyhedron.h"
 #include "support/scenes.h"
 
 #include "interop/reflection.h"
@@ -61,6 +62,29 @@ TEST(ViewPyramid, OfAFaceIsThatOfTheCube) {
     EXPECT_EQ(seen({5, 4.8f, 1}, 0.1), (std::vector{kPlusX, kPlusY})) << "with borders";
 }
 
+TEST(ViewPyramid, HoldsThePicturesOfAllFacesOfPolyhedra) {
+    for (const char* name : {"tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron"}) {
+        const Polyhedron polyhedron = platonic_solid(name);
+        for (std::size_t face = 0; face < polyhedron.planes.size(); ++face) {
+            const FacePicture picture = face_picture(polyhedron, face);
+            const ViewPyramid view(interop::CameraInfo{glm::vec3(0.0f), glm::vec3(picture.right),
+                                                       glm::vec3(picture.up), glm::vec3(picture.centre)});
+            const auto shows = [&](double x, double y) {
+                const glm::vec3 place(20.0 * (picture.centre + x * picture.right + y * picture.up));
+                return view.may_show(small_triangle_at(place));
+            };
+            for (const double x : {-0.98, 0.0, 0.98}) {
+                for (const double y : {-0.98, 0.0, 0.98})
+                    EXPECT_TRUE(shows(x, y)) << name << ' ' << face << ": " << x << ", " << y;
+                for (const double beyond : {-1.02, 1.02}) {
+                    EXPECT_FALSE(shows(x, beyond)) << name << ' ' << face;
+                    EXPECT_FALSE(shows(beyond, x)) << name << ' ' << face;
+                }
+            }
+        }
+    }
+}
+
 // A rounding of float32 does not put a triangle beyond a side.
 TEST(ViewPyramid, LeavesRoomForRounding) {
     const ViewPyramid view(glm::dvec3(0.0), kMinusZ, 0.0);
@@ -88,10 +112,10 @@ TEST_F(SeenChangesOf, WhatMovedAreThoseOfItsPlaceBeforeAndAfter) {
     scene_.instances[0].world_from_object = glm::translate(glm::dmat4(1.0), glm::dvec3(-10, 0, 0));
     const SceneChange change = update_scene_data(data_, scene_);
     const SeenChanges seen(data_, change, {});
-    EXPECT_TRUE(seen.moved_in(face(kPlusX), kNone));
-    EXPECT_TRUE(seen.moved_in(face(kMinusX), kNone));
-    EXPECT_FALSE(seen.moved_in(face(kPlusY), kNone));
-    EXPECT_FALSE(seen.moved_in(face(kPlusX), 0)) << "a view that leaves the instance out";
+    EXPECT_TRUE(seen.surfaces_differ_in(face(kPlusX), kNone));
+    EXPECT_TRUE(seen.surfaces_differ_in(face(kMinusX), kNone));
+    EXPECT_FALSE(seen.surfaces_differ_in(face(kPlusY), kNone));
+    EXPECT_FALSE(seen.surfaces_differ_in(face(kPlusX), 0)) << "a view that leaves the instance out";
     EXPECT_FALSE(seen.look_otherwise_in(face(kPlusY), kNone));
 }
 
@@ -105,7 +129,7 @@ TEST_F(SeenChangesOf, LightAreThoseOfTheSurfacesItFallsOn) {
     const SeenChanges seen(data_, change, lit);
     EXPECT_TRUE(seen.look_otherwise_in(face(kPlusY), kNone));
     EXPECT_FALSE(seen.look_otherwise_in(face(kPlusX), kNone));
-    EXPECT_FALSE(seen.moved_in(face(kPlusY), kNone));
+    EXPECT_FALSE(seen.surfaces_differ_in(face(kPlusY), kNone));
 }
 
 TEST_F(SeenChangesOf, AnythingAreThoseOfMirrors) {
@@ -116,7 +140,7 @@ TEST_F(SeenChangesOf, AnythingAreThoseOfMirrors) {
     EXPECT_TRUE(seen.look_otherwise_in(face(kPlusX), kNone));
     EXPECT_TRUE(seen.look_otherwise_in(face(kPlusY), kNone)) << "the mirror may show the plate";
     EXPECT_FALSE(seen.look_otherwise_in(face(kPlusY), 1));
-    EXPECT_FALSE(seen.moved_in(face(kPlusY), kNone)) << "but it is where it was";
+    EXPECT_FALSE(seen.surfaces_differ_in(face(kPlusY), kNone)) << "but it is where it was";
 }
 
 }  // namespace
