@@ -22,25 +22,19 @@ class RoughDistances : public DeviceTest {
     template <typename Expect>
     static void expect_texels(const Scene& scene, const Expect& expect) {
         constexpr std::uint32_t kEvery = 61;
-        const SceneData data = prepare_scene_data(scene);
-        const GpuScene gpu_scene(device(), data);
-        FilledLight light;
-        light.settings = {1.0 / 60.0, 4};
-        RenderSettings picture;
-        picture.width = picture.height = interop::TILE_SIZE;
-        MapRenderer renderer(device(), data, gpu_scene, light, look_at({0, 0, 3}, {0, 0, 0}),
-                             MapKind::distance, picture, map_settings(128, glm::dvec3(0.0)));
-        Progress progress;
-        renderer.prepare(progress);
-        const std::uint32_t stride = renderer.rough_maps().face(0, 0).width;
-        for (std::uint32_t face = 0; face < interop::ROUGH_MAP_FACES; ++face) {
-            const std::vector<float> texels = renderer.rough_maps().inverse_distances(0, face);
-            for (std::uint32_t i = 0; i < texels.size(); i += kEvery) {
+        const auto expect_face = [&](const RoughMaps& maps, std::uint32_t face) {
+            const std::uint32_t stride = maps.face(0, face).width;
+            const std::vector<float> texels = maps.inverse_distances(0, face);
+            for (std::uint32_t i = 0; i < texels.size() && !HasFatalFailure(); i += kEvery) {
                 expect(rough_map_direction(face, i % stride, i / stride, stride),
                        static_cast<double>(texels[i]));
-                if (HasFatalFailure()) return;
             }
-        }
+        };
+        with_rough_maps(device(), scene, MapKind::distance, map_settings(128, glm::dvec3(0.0)),
+                        [&](const RoughMaps& maps) {
+                            for (std::uint32_t face = 0; face < interop::ROUGH_MAP_FACES; ++face)
+                                expect_face(maps, face);
+                        });
     }
 };
 

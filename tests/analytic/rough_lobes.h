@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/reflection_map/map_renderer.h"
 #include "support/scenes.h"
 
 #include "interop/rough_map.h"
@@ -63,6 +64,23 @@ inline glm::dvec3 rough_map_direction(std::uint32_t face, std::uint32_t column, 
     d[static_cast<int>((face / 2 + 1) % 3)] = (2.0 * column - 1.0) / size - 1.0;
     d[static_cast<int>((face / 2 + 2) % 3)] = (2.0 * row - 1.0) / size - 1.0;
     return glm::normalize(d);
+}
+
+/// Calls `use` with the maps of a scene's rough instances, prepared for a kind of map.
+template <typename Use>
+void with_rough_maps(Device& device, const Scene& scene, MapKind kind, const MapSettings& settings,
+                     const Use& use) {
+    const SceneData data = prepare_scene_data(scene);
+    const GpuScene gpu_scene(device, data);
+    FilledLight light;
+    light.settings = {1.0 / 60.0, 4};
+    RenderSettings picture;
+    picture.width = picture.height = interop::TILE_SIZE;
+    MapRenderer renderer(device, data, gpu_scene, light, look_at({0, 0, 3}, {0, 0, 0}), kind, picture,
+                         settings);
+    Progress progress;
+    renderer.prepare(progress);
+    use(renderer.rough_maps());
 }
 
 }  // namespace utsuri::test

@@ -27,19 +27,11 @@ class RoughMapping : public DeviceTest {
     /// The faces of the first level of the scene's first rough instance, with the convention of
     /// shaders/lib/cube.glsl.
     std::vector<Image> level(const Scene& scene, const MapSettings& settings) {
-        const SceneData data = prepare_scene_data(scene);
-        const GpuScene gpu_scene(device(), data);
-        FilledLight light;
-        light.settings = {1.0 / 60.0, 4};
-        RenderSettings picture;
-        picture.width = picture.height = interop::TILE_SIZE;
-        MapRenderer renderer(device(), data, gpu_scene, light, look_at({0, 0, 3}, {0, 0, 0}), MapKind::cube,
-                             picture, settings);
-        Progress progress;
-        renderer.prepare(progress);
         std::vector<Image> faces;
-        for (std::uint32_t face = 0; face < interop::ROUGH_MAP_FACES; ++face)
-            faces.push_back(renderer.rough_maps().face(0, face));
+        with_rough_maps(device(), scene, MapKind::cube, settings, [&](const RoughMaps& maps) {
+            for (std::uint32_t face = 0; face < interop::ROUGH_MAP_FACES; ++face)
+                faces.push_back(maps.face(0, face));
+        });
         return faces;
     }
 

@@ -25,7 +25,7 @@ class MapRenderer : public Renderer {
     void follow(const SceneChange& change, Progress& progress) override;
 
     /// Moves the eye: all that it costs is the pass over the reflectors' vertices and the drawing. A sphere
-    /// map stays turned the way the first eye looked.
+    /// map stays turned the way the first eye looked, until the scene changes.
     void look_from(const Camera& camera) override;
     bool draw_frame() override;
     /// What draw_frame() drew.
