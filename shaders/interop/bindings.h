@@ -58,6 +58,8 @@ INTEROP_CONSTANT BINDING_MAP_STATES = 48u;  ///< how many maps are wanted, then 
 INTEROP_CONSTANT BINDING_MAP_INVERSE_DISTANCES = 49u;    ///< of each texel of what rough maps are made of
 INTEROP_CONSTANT BINDING_ROUGH_INVERSE_DISTANCES = 50u;  ///< of each texel of rough maps
 INTEROP_CONSTANT BINDING_ROUGH_PROBES = 51u;             ///< RoughProbe of each instance, one after the other
+INTEROP_CONSTANT BINDING_LIGHT_BOUNDS = 52u;
+INTEROP_CONSTANT BINDING_CHANGED_BOXES = 53u;
 
 INTEROP_END
 #endif

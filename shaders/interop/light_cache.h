@@ -23,12 +23,27 @@ struct LightCachePoint {
     vec3 back;
 };
 
+/// Where light comes from.
+struct LightBounds {
+    uint infinite;  ///< 0: the corners are of a box that holds lights; 1: of one that holds directions to them
+    vec3 lower;
+    vec3 upper;
+};
+
+/// A box in which things changed, with room for the rounding of rays.
+struct ChangedBox {
+    vec3 lower;
+    vec3 upper;
+};
+
 struct LightCachePush {
     uint first_point;  ///< of this dispatch
     uint end_point;
     uint triangles;  ///< of the scene
     uint samples;    ///< of each point and side, at most
     uint seed;
+    uint light_bounds;   ///< how many
+    uint changed_boxes;  ///< points that light reaches through none of them keep what they have
 };
 
 INTEROP_END

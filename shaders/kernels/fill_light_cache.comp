@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Direct light at the points of the light cache, on both sides of each triangle.
+// Direct light at the points of the light cache, on both sides of each triangle, where a change can reach it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/scene_bindings.glsl"
@@ -7,6 +7,7 @@
 #include "interop/light_cache.h"
 #include "lib/direct_light.glsl"
 #include "lib/lattice.glsl"
+#include "lib/light_reach.glsl"
 #include "lib/unshadowed_light.glsl"
 
 layout(local_size_x = 64) in;
@@ -18,6 +19,8 @@ layout(push_constant, scalar) uniform Push { LightCachePush push; };
 layout(scalar, binding = BINDING_LIGHT_CACHE_TRIANGLES) readonly restrict buffer CacheTriangles {
     LightCacheTriangle cache_triangles[];
 };
+layout(scalar, binding = BINDING_LIGHT_BOUNDS) readonly restrict buffer LightBoundsBuffer { LightBounds light_bounds[]; };
+layout(scalar, binding = BINDING_CHANGED_BOXES) readonly restrict buffer ChangedBoxes { ChangedBox changed_boxes[]; };
 layout(scalar, binding = BINDING_COUNTERS) restrict buffer CounterBuffer { Counters counters; };
 layout(scalar, binding = BINDING_LIGHT_CACHE_POINTS) writeonly restrict buffer CachePoints { LightCachePoint cache_points[]; };
 
@@ -90,12 +93,22 @@ vec3 simulate_light(Surface surface, uint side) {
     return mix(unshadowed * visible / sampled, vec3(0.0), equal(sampled, vec3(0.0)));
 }
 
+bool is_reached(vec3 position) {
+    for (uint l = 0u; l < push.light_bounds; ++l) {
+        for (uint c = 0u; c < push.changed_boxes; ++c) {
+            if (lies_on_way_to_light(changed_boxes[c], position, light_bounds[l])) return true;
+        }
+    }
+    return false;
+}
+
 void main() {
     uint point = push.first_point + gl_GlobalInvocationID.x;
     if (point >= push.end_point) return;
     uint triangle = triangle_of(point);
     LightCacheTriangle lattice = cache_triangles[triangle];
     vec2 b = lattice_point(lattice, point - lattice.first_point).yz;
+    if (!is_reached(triangle_point(bvh_triangles[triangle], b.x, b.y))) return;
     cache_points[point] = LightCachePoint(simulate_light(white_surface(triangle, b, true), 0u),
                                           simulate_light(white_surface(triangle, b, false), 1u));
 }

@@ -39,7 +39,7 @@ Filled fill(Device& device, const Scene& scene, const LightCacheSettings& settin
     Progress progress;
     FilledLight light;
     light.settings = settings;
-    cache.fill(gpu_scene, 3, light, progress);
+    cache.fill(gpu_scene, 3, all_space(), light, progress);
     filled.counts = light.counts;
     EXPECT_EQ(cache.points(), light_cache_points(filled.plan));
     filled.points = cache.bindings()

@@ -45,7 +45,7 @@ class DrawnFrames : public DeviceTest {
         LightCache cache(device(), data, {kSpacing, 4});
         Progress progress;
         FilledLight light;
-        cache.fill(gpu_scene, 0, light, progress);
+        cache.fill(gpu_scene, 0, all_space(), light, progress);
         MapSettings settings;
         settings.size = 4;
         const ReflectionMaps maps(device(), data, MapKind::polygon, settings, {camera, kWidth, kHeight});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/common/light_cache.h"
 
+#include "renderers/common/light_reach.h"
 #include "renderers/common/renderer.h"
 
 #include "base/check.h"
@@ -78,10 +79,25 @@ bool sums_lights(const SceneData& data) {
            std::none_of(data.lights.begin(), data.lights.end(), is_textured);
 }
 
+bool same_lattice(const interop::LightCacheTriangle& a, const interop::LightCacheTriangle& b) {
+    return a.intervals == b.intervals && a.rows_per_interval == b.rows_per_interval && a.apex == b.apex;
+}
+
+/// Light under the numbers that points have in other lattices; zero on triangles whose own differs.
+std::vector<interop::LightCachePoint> renumbered(const FilledLight& filled,
+                                                 const std::vector<interop::LightCacheTriangle>& lattices) {
+    std::vector<interop::LightCachePoint> points(light_cache_points(lattices));
+    for (std::size_t t = 0; t < lattices.size(); ++t) {
+        if (!same_lattice(filled.lattices[t], lattices[t])) continue;
+        const auto first = filled.points.begin() + filled.lattices[t].first_point;
+        std::copy_n(first, lattice_points(lattices[t]), points.begin() + lattices[t].first_point);
+    }
+    return points;
+}
+
 bool same_light(const FilledLight& before, const interop::LightCacheTriangle& was,
                 const std::vector<interop::LightCachePoint>& points, const interop::LightCacheTriangle& is) {
-    if (was.intervals != is.intervals || was.rows_per_interval != is.rows_per_interval || was.apex != is.apex)
-        return false;
+    if (!same_lattice(was, is)) return false;
     const std::uint64_t count = lattice_points(is);
     return count == 0 || std::memcmp(&before.points[was.first_point], &points[is.first_point],
                                      count * sizeof(interop::LightCachePoint)) == 0;
@@ -130,46 +146,71 @@ std::vector<interop::LightCacheTriangle> plan_light_cache(const SceneData& data,
 }
 
 LightCache::LightCache(Device& device, const SceneData& data, const LightCacheSettings& settings)
-    : LightCache(device, settings, sums_lights(data),
+    : LightCache(device, data, settings,
                  plan_light_cache(data, settings.spacing,
                                   device.summary().storage_range_bytes / sizeof(interop::LightCachePoint))) {}
 
-LightCache::LightCache(Device& device, const LightCacheSettings& settings, bool sums_lights,
+LightCache::LightCache(Device& device, const SceneData& data, const LightCacheSettings& settings,
                        const std::vector<interop::LightCacheTriangle>& plan)
     : device_(&device),
       settings_(settings),
-      sums_lights_(sums_lights),
-      scene_triangles_(static_cast<std::uint32_t>(plan.size())),
+      sums_lights_(sums_lights(data)),
+      lattices_(plan),
+      bounds_of_lights_(bounds_of_lights(data)),
       points_(light_cache_points(plan)),
       triangles_(make_buffer<interop::LightCacheTriangle>(device, plan, "triangles of the light cache")),
       light_(device, std::max<std::uint64_t>(1, points_) * sizeof(interop::LightCachePoint), "light cache"),
+      light_bounds_(make_buffer<interop::LightBounds>(device, bounds_of_lights_, "bounds of lights")),
       counters_(device, sizeof(interop::Counters), "light cache counters") {}
 
-void LightCache::fill(const GpuScene& scene, std::uint32_t seed, FilledLight& filled, Progress& progress) {
+void LightCache::fill(const GpuScene& scene, std::uint32_t seed, const ChangedSpace& changed,
+                      FilledLight& filled, Progress& progress) {
     if (points_ == 0) return;
-    if (filled.points.empty() || filled.revision != scene.light_revision()) {
-        simulate(scene, seed, filled, progress);
-        keep(scene.light_revision(), filled);
+    if (!filled.points.empty() && filled.revision == scene.light_revision()) {
+        UTSURI_CHECK_EQ(filled.points.size(), points_);
+        light_.upload(std::as_bytes(std::span(filled.points)));
         return;
     }
-    UTSURI_CHECK_EQ(filled.points.size(), points_);
-    light_.upload(std::as_bytes(std::span(filled.points)));
+    if (may_keep(filled, scene.light_revision(), changed)) {
+        const std::vector<interop::LightCachePoint> before = renumbered(filled, lattices_);
+        light_.upload(std::as_bytes(std::span(before)));
+        simulate(scene, seed, changed.boxes, filled, progress);
+    } else {
+        light_.fill_with_zero();
+        simulate(scene, seed, all_space().boxes, filled, progress);
+    }
+    keep(scene.light_revision(), filled);
+}
+
+bool LightCache::may_keep(const FilledLight& filled, std::uint32_t revision,
+                          const ChangedSpace& changed) const {
+    if (filled.points.empty() || filled.revision + 1 != revision ||
+        filled.lattices.size() != lattices_.size())
+        return false;
+    for (std::uint32_t t = 0; t < lattices_.size(); ++t) {
+        const bool is_touched = std::binary_search(changed.triangles.begin(), changed.triangles.end(), t);
+        if (!is_touched && !same_lattice(filled.lattices[t], lattices_[t])) return false;
+    }
+    return true;
 }
 
 void LightCache::keep(std::uint32_t revision, FilledLight& filled) const {
     auto points = light_.download_records<interop::LightCachePoint>(points_);
-    auto lattices = triangles_.download_records<interop::LightCacheTriangle>(scene_triangles_);
-    filled.changed = changed_triangles(filled, points, lattices);
+    filled.changed = changed_triangles(filled, points, lattices_);
     filled.points = std::move(points);
-    filled.lattices = std::move(lattices);
+    filled.lattices = lattices_;
     filled.revision = revision;
 }
 
-void LightCache::simulate(const GpuScene& scene, std::uint32_t seed, FilledLight& filled,
+void LightCache::simulate(const GpuScene& scene, std::uint32_t seed,
+                          const std::vector<interop::ChangedBox>& changed, FilledLight& filled,
                           Progress& progress) {
+    const Buffer changed_boxes = make_buffer<interop::ChangedBox>(*device_, changed, "boxes of what changed");
     Bindings bindings = scene.bindings();
     bindings.merge(this->bindings());
     bindings[interop::BINDING_COUNTERS] = &counters_;
+    bindings[interop::BINDING_LIGHT_BOUNDS] = &light_bounds_;
+    bindings[interop::BINDING_CHANGED_BOXES] = &changed_boxes;
     auto start = std::chrono::steady_clock::now();
     Specialization specialization = scene.specialization();
     specialization[interop::SPEC_SUMS_LIGHTS] = sums_lights_ ? 1 : 0;
@@ -177,9 +218,11 @@ void LightCache::simulate(const GpuScene& scene, std::uint32_t seed, FilledLight
                         sizeof(interop::LightCachePush));
     const BindingSet set = kernel.bind(bindings);
     interop::LightCachePush push{};
-    push.triangles = scene_triangles_;
+    push.triangles = static_cast<std::uint32_t>(lattices_.size());
     push.samples = settings_.samples;
     push.seed = seed;
+    push.light_bounds = static_cast<std::uint32_t>(bounds_of_lights_.size());
+    push.changed_boxes = static_cast<std::uint32_t>(changed.size());
     // Drivers may compile at the first dispatch; this one has no point to work on.
     device_->run("compile a kernel",
                  [&](const vk::raii::CommandBuffer& commands) { kernel.dispatch(commands, set, push, 1); });

@@ -3,6 +3,7 @@
 
 #include "renderers/common/film_kernel.h"
 #include "renderers/common/gpu_scene.h"
+#include "renderers/common/light_reach.h"
 #include "renderers/common/scene_data.h"
 
 #include "base/progress.h"
@@ -56,18 +57,25 @@ class LightCache {
     /// @throws DeviceError if it does not fit
     LightCache(Device& device, const SceneData& data, const LightCacheSettings& settings);
 
-    /// Takes the light from `filled`, after simulating it there at every point if that was not done yet, or
-    /// for the scene before it changed.
+    /// Takes the light from `filled`, after simulating it there if that was not done yet, or for the scene
+    /// before it changed: then only at points from which some way to a light leads through what changed.
+    /// @param changed since the scene's light_revision() before
     /// @throws Interrupted if progress says so
-    void fill(const GpuScene& scene, std::uint32_t seed, FilledLight& filled, Progress& progress);
+    void fill(const GpuScene& scene, std::uint32_t seed, const ChangedSpace& changed, FilledLight& filled,
+              Progress& progress);
 
     [[nodiscard]] std::uint64_t points() const { return points_; }
     [[nodiscard]] Bindings bindings() const;
 
   private:
-    LightCache(Device& device, const LightCacheSettings& settings, bool sums_lights,
+    LightCache(Device& device, const SceneData& data, const LightCacheSettings& settings,
                const std::vector<interop::LightCacheTriangle>& plan);
-    void simulate(const GpuScene& scene, std::uint32_t seed, FilledLight& filled, Progress& progress);
+    /// Whether `filled` is of the scene one change before, at the same points of surfaces that it did not
+    /// touch.
+    [[nodiscard]] bool may_keep(const FilledLight& filled, std::uint32_t revision,
+                                const ChangedSpace& changed) const;
+    void simulate(const GpuScene& scene, std::uint32_t seed, const std::vector<interop::ChangedBox>& changed,
+                  FilledLight& filled, Progress& progress);
     /// Takes what was simulated over to the host.
     void keep(std::uint32_t revision, FilledLight& filled) const;
     FrameCounts simulate_points(const Kernel& kernel, const BindingSet& set,
@@ -76,10 +84,12 @@ class LightCache {
     Device* device_;
     LightCacheSettings settings_;
     bool sums_lights_;
-    std::uint32_t scene_triangles_;
+    std::vector<interop::LightCacheTriangle> lattices_;
+    std::vector<interop::LightBounds> bounds_of_lights_;
     std::uint64_t points_;
     Buffer triangles_;
     Buffer light_;
+    Buffer light_bounds_;
     Buffer counters_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/prepared_maps.h"
 
+#include "renderers/common/light_reach.h"
 #include "renderers/reflection_map/reflector_drawer.h"
 
 #include "interop/specialization.h"
@@ -65,7 +66,7 @@ PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene
 
 void PreparedMaps::prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
                            RenderStatistics& statistics, Progress& progress) {
-    light_cache_.fill(scene_, settings_.seed, filled_light_, progress);
+    light_cache_.fill(scene_, settings_.seed, all_space(), filled_light_, progress);
     count_light(statistics);
     capture(eye, draw, statistics, progress);
 }
@@ -74,7 +75,8 @@ void PreparedMaps::follow(const SceneChange& change, const Camera& eye,
                           const std::function<void(const glm::vec2& jitter)>& draw,
                           RenderStatistics& statistics, Progress& progress) {
     const bool lit_otherwise = change.geometry || change.lights;
-    light_cache_.fill(scene_, settings_.seed, filled_light_, progress);
+    const ChangedSpace changed = change.lights ? all_space() : changed_space(data_, change);
+    light_cache_.fill(scene_, settings_.seed, changed, filled_light_, progress);
     if (lit_otherwise) count_light(statistics);
     const SeenChanges changes(data_, change,
                               lit_otherwise ? filled_light_.changed : std::vector<std::uint32_t>());

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light on surfaces of a scene in which something moved: simulated anew only where its shadow was or is,
+// and the light that a scene would have which was always so.
+#include "renderers/common/light_cache.h"
+#include "support/light_scenes.h"
+#include "support/test_device.h"
+
+#include <glm/ext/matrix_transform.hpp>
+
+#include <cstring>
+#include <random>
+
+namespace utsuri::test {
+namespace {
+
+constexpr LightCacheSettings kCoarse{1.0 / 60.0, 8};
+constexpr std::uint32_t kSeed = 3;
+
+Light lamp(LightType type, const glm::dvec3& position, const glm::dvec3& direction) {
+    Light light;
+    light.type = type;
+    light.position = position;
+    light.direction = glm::normalize(direction);
+    light.intensity = {3.0f, 2.0f, 1.0f};
+    return light;
+}
+
+/// A room without a ceiling; what moves in it is instance 1.
+constexpr std::uint32_t kBlock = 1;
+Scene unlit_scene() {
+    Scene scene;
+    add(scene, quad({-2, 0, -2}, {0, 0, 4}, {4, 0, 0}), lambert(glm::vec3(0.5f)));
+    add(scene, block({-0.25f, 0.5f, -0.25f}, {0.25f, 0.75f, 0.25f}), lambert(glm::vec3(0.5f)));
+    add(scene, quad({-2, 0, -2}, {4, 0, 0}, {0, 2, 0}), lambert(glm::vec3(0.5f)));
+    return scene;
+}
+
+/// Kinds of light, and how much of all light a small thing's shadow can be: on its points, and where it was
+/// and is cast.
+struct Lit {
+    const char* name;
+    void (*add_lights)(Scene& scene);
+    double most_rays;
+};
+
+const Lit kLit[] = {
+    {"a point light",
+     [](Scene& scene) {
+         scene.lights.push_back(lamp(LightType::point, {0.5, 1.75, 0.25}, {0, -1, 0}));
+     },
+     0.5},
+    {"a spot",
+     [](Scene& scene) {
+         scene.lights.push_back(lamp(LightType::spot, {0, 1.75, 0}, {0, -1, 0}));
+     },
+     0.5},
+    {"a sun",
+     [](Scene& scene) {
+         scene.lights.push_back(lamp(LightType::directional, {}, {0.25, -1, 0.125}));
+     },
+     0.4},
+    {"a panel",
+     [](Scene& scene) {
+         add(scene, ceiling({0.25f, 1.75f, 0}, 0.25f), emitter(glm::vec3(1.0f)));
+     },
+     0.6},
+    {"forty lamps in a row",
+     [](Scene& scene) {
+         for (int i = 0; i < 40; ++i)
+             scene.lights.push_back(lamp(LightType::point, {-1.5, 1.75, -1.5 + 0.02 * i}, {0, -1, 0}));
+     },
+     0.6},
+    {"forty suns",
+     [](Scene& scene) {
+         for (int i = 0; i < 40; ++i)
+             scene.lights.push_back(lamp(LightType::directional, {}, {0.25, -1, 0.01 * i}));
+     },
+     0.6},
+    {"a ball that shines",
+     [](Scene& scene) {
+         add(scene, icosphere({1.5f, 1.5f, 1.5f}, 0.125f, 2), emitter(glm::vec3(1.0f)));
+     },
+     0.6},
+    {"surroundings", [](Scene& scene) { scene.environment = glm::vec3(1.0f); }, 1.0},
+    {"a sun, a lamp and a panel",
+     [](Scene& scene) {
+         scene.lights.push_back(lamp(LightType::directional, {}, {0.25, -1, 0.125}));
+         scene.lights.push_back(lamp(LightType::point, {1.5, 0.5, 1.5}, {0, -1, 0}));
+         add(scene, ceiling({0.25f, 1.75f, 0}, 0.25f), emitter(glm::vec3(1.0f)));
+     },
+     0.9},
+};
+
+Scene with_block_moved(Scene scene, const glm::dmat4& by) {
+    glm::dmat4& place = scene.instances[kBlock].world_from_object;
+    place = by * place;
+    return scene;
+}
+
+class ChangedLight : public DeviceTest {
+  protected:
+    ChangedLight() { light_.settings = kCoarse; }
+
+    /// Light of the scene as it is, on from what was there before.
+    void fill(const SceneData& data, const ChangedSpace& changed, FilledLight& light) {
+        GpuScene scene(device(), data);
+        Progress progress;
+        LightCache(device(), data, kCoarse).fill(scene, kSeed, changed, light, progress);
+    }
+
+    void prepare(const Scene& scene) {
+        data_ = prepare_scene_data(scene);
+        light_ = {};
+        light_.settings = kCoarse;
+        fill(data_, all_space(), light_);
+    }
+
+    /// @returns rays that following took
+    std::uint64_t follow(const Scene& scene) {
+        const SceneChange change = update_scene_data(data_, scene);
+        EXPECT_FALSE(change.lights);
+        fill(data_, changed_space(data_, change), light_);
+        return light_.counts.rays;
+    }
+
+    FilledLight anew() {
+        FilledLight light;
+        light.settings = kCoarse;
+        fill(data_, all_space(), light);
+        return light;
+    }
+
+    static std::size_t different_points(const FilledLight& a, const FilledLight& b) {
+        EXPECT_EQ(a.points.size(), b.points.size());
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < a.points.size(); ++i)
+            count += std::memcmp(&a.points[i], &b.points[i], sizeof(a.points[i])) != 0 ? 1 : 0;
+        return count;
+    }
+
+    SceneData data_;
+    FilledLight light_;
+};
+
+TEST_F(ChangedLight, IsThatOfASceneWhichWasAlwaysSo) {
+    for (const Lit& lit : kLit) {
+        SCOPED_TRACE(lit.name);
+        Scene scene = unlit_scene();
+        lit.add_lights(scene);
+        prepare(scene);
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> place(-1.0, 1.0);
+        std::uint64_t rays = 0;
+        std::uint64_t rays_anew = 0;
+        for (int step = 0; step < 8; ++step) {
+            const glm::dvec3 by(place(random), 0.5 * place(random), place(random));
+            const glm::dmat4 turned = glm::rotate(glm::dmat4(1.0), place(random), glm::dvec3(0, 1, 0));
+            rays += follow(with_block_moved(scene, glm::translate(glm::dmat4(1.0), by) * turned));
+            const FilledLight as_it_is = anew();
+            rays_anew += as_it_is.counts.rays;
+            EXPECT_EQ(different_points(light_, as_it_is), 0u) << "step " << step;
+            EXPECT_FALSE(light_.changed.empty()) << "step " << step;
+        }
+        EXPECT_LE(static_cast<double>(rays), lit.most_rays * static_cast<double>(rays_anew));
+    }
+}
+
+// Behind the lamp nothing can cast a shadow: only the thing itself is lit anew, 12 triangles of it.
+TEST_F(ChangedLight, IsSimulatedOnlyOnAThingThatCastsNoShadow) {
+    Scene scene = unlit_scene();
+    scene.lights.push_back(lamp(LightType::point, {0, 0.25, 0}, {0, -1, 0}));
+    prepare(with_block_moved(scene, glm::translate(glm::dmat4(1.0), glm::dvec3(0.5, 1.0, 1.5))));
+    const std::uint64_t rays =
+        follow(with_block_moved(scene, glm::translate(glm::dmat4(1.0), glm::dvec3(0.75, 1.0, 1.25))));
+    std::uint64_t points = 0;
+    const auto plan = plan_light_cache(data_, kCoarse.spacing, 1u << 20);
+    for (std::size_t t = 0; t < plan.size(); ++t) {
+        const std::uint64_t end = t + 1 < plan.size() ? plan[t + 1].first_point : light_cache_points(plan);
+        if (data_.triangle_infos[t].instance == kBlock) points += end - plan[t].first_point;
+    }
+    EXPECT_GT(rays, 0u);
+    EXPECT_LE(rays, points * kCoarse.samples) << "a side of each point sees the lamp";
+    EXPECT_EQ(different_points(light_, anew()), 0u);
+}
+
+// A thing that leaves its scene's bounds makes all points wider apart.
+TEST_F(ChangedLight, IsSimulatedAnewWherePointsAreOthers) {
+    Scene scene = unlit_scene();
+    scene.lights.push_back(lamp(LightType::point, {0.5, 1.75, 0.25}, {0, -1, 0}));
+    prepare(scene);
+    follow(with_block_moved(scene, glm::translate(glm::dmat4(1.0), glm::dvec3(0, 6, 0))));
+    const FilledLight as_it_is = anew();
+    EXPECT_EQ(light_.counts.rays, as_it_is.counts.rays);
+    EXPECT_EQ(different_points(light_, as_it_is), 0u);
+}
+
+// What two changes moved is not known from the second alone.
+TEST_F(ChangedLight, IsSimulatedAnewAfterAChangeThatWasNotFollowed) {
+    Scene scene = unlit_scene();
+    scene.lights.push_back(lamp(LightType::point, {0.5, 1.75, 0.25}, {0, -1, 0}));
+    prepare(scene);
+    update_scene_data(data_, with_block_moved(scene, glm::translate(glm::dmat4(1.0), glm::dvec3(1, 0, 0))));
+    follow(with_block_moved(scene, glm::translate(glm::dmat4(1.0), glm::dvec3(1, 0, 0.25))));
+    EXPECT_EQ(different_points(light_, anew()), 0u);
+}
+
+}  // namespace
+}  // namespace utsuri::test
