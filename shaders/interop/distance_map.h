@@ -35,7 +35,6 @@ struct DistanceBounds {
 struct DistanceMapInfo {
     uint first_sample;
     uint first_bounds;
-    uint mirrors_itself;   ///< 1: a ray that leaves the reflector may meet it again
     vec3 plane_normal;     ///< unit, towards what a plane mirror shows; zero for other reflectors
     float plane_distance;  ///< points of the plane: dot(plane_normal, point) = plane_distance
 };

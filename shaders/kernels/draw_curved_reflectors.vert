@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole polygons of reflectors, with how curved they are.
+// Whole polygons of reflectors, with the shape about them.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/scene_bindings.glsl"
@@ -8,13 +8,13 @@
 #include "interop/reflection.h"
 #include "lib/surface.glsl"
 #include "kernels/drawn_triangle.glsl"
-#include "kernels/drawn_curvature.glsl"
+#include "kernels/drawn_shape.glsl"
 #include "kernels/drawn_vertex.glsl"
 #include "kernels/reflector_bindings.glsl"
 #include "kernels/drawn_reflector.glsl"
-#include "kernels/edge_curvature.glsl"
+#include "kernels/polygon_shape.glsl"
 
 void main() {
     set_drawn_reflector();
-    drawn_curvature = least_curvature(drawn_ids.x);
+    set_drawn_shape();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The corners of listed triangles that reflect like curved mirrors, with the maps they look up and how curved they are.
+// The corners of listed triangles that reflect like curved mirrors, with the maps they look up and the shape about them.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/scene_bindings.glsl"
@@ -8,12 +8,12 @@
 #include "lib/surface.glsl"
 #include "kernels/drawn_list.glsl"
 #include "kernels/drawn_triangle.glsl"
-#include "kernels/drawn_curvature.glsl"
+#include "kernels/drawn_shape.glsl"
 #include "kernels/drawn_vertex.glsl"
 #include "kernels/listed_reflector.glsl"
-#include "kernels/edge_curvature.glsl"
+#include "kernels/polygon_shape.glsl"
 
 void main() {
     set_listed_reflector();
-    drawn_curvature = least_curvature(drawn_ids.x);
+    set_drawn_shape();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a drawn reflector's look-up is held against: the ray that it stands in for, where that can meet the scene, and what
 // a pixel sees of the mirror.
-#include "kernels/drawn_curvature.glsl"
+#include "kernels/drawn_shape.glsl"
 #include "lib/prediction.glsl"
 
 struct DrawnReflection {
@@ -21,13 +21,18 @@ bool leaves_front(Surface surface) {
     return dot(surface.ng, drawn_ng) > 0.0;
 }
 
+/// Whether a ray leaves the front more steeply than anything of the reflector rises before it.
+bool misses_itself(Surface surface, vec3 wi) {
+    return leaves_front(surface) && dot(wi, drawn_ng) > drawn_horizon;
+}
+
 Footprint drawn_footprint(Surface surface, vec3 wo) {
     float curvature = leaves_front(surface) ? drawn_curvature : -drawn_curvature;
     return make_footprint(length(drawn_from_eye), pixel_angle(), curvature, abs(dot(surface.ns, wo)));
 }
 
 DrawnReflection with_hit(ProbeHit found, Surface surface, vec3 wo) {
-    return DrawnReflection(found.probe, found.ray, trusted_interval(found, leaves_front(surface)),
+    return DrawnReflection(found.probe, found.ray, trusted_interval(found, misses_itself(surface, found.ray.direction)),
                            drawn_footprint(surface, wo));
 }
 
@@ -36,7 +41,7 @@ DrawnReflection outlined_reflection(Surface surface, vec3 wo) {
     vec3 wi = mirror_direction(surface, wo);
     uint probe = drawn_probe(surface, wi);
     SearchRay ray = make_search_ray(surface.position - probes[probe].capture_point, wi);
-    return DrawnReflection(probe, ray, outline_hit(distance_maps[probe], ray, leaves_front(surface)),
+    return DrawnReflection(probe, ray, outline_hit(distance_maps[probe], ray, misses_itself(surface, wi)),
                            drawn_footprint(surface, wo));
 }
 

@@ -14,13 +14,11 @@ layout(scalar, binding = BINDING_DISTANCE_BOUNDS) readonly restrict buffer Dista
 
 #include "lib/distance_search.glsl"
 
-/// Whether distances say what a ray can meet: they say nothing of the reflector itself, which a ray inside it meets, nor of
-/// what is behind a plane mirror.
-/// @param leaves_front whether the ray leaves the front of the reflector
-bool distances_tell(DistanceMapInfo map, SearchRay ray, bool leaves_front) {
+/// Whether distances say what a ray can meet: they say nothing of the reflector itself, nor of what is behind a plane mirror.
+/// @param misses_itself whether the ray cannot meet the reflector again, if that is no plane
+bool distances_tell(DistanceMapInfo map, SearchRay ray, bool misses_itself) {
     bool is_plane = map.plane_normal != vec3(0.0);
-    bool is_outside = is_plane ? dot(map.plane_normal, ray.direction) > 0.0 : leaves_front;
-    return map.mirrors_itself == 0u && is_outside;
+    return is_plane ? dot(map.plane_normal, ray.direction) > 0.0 : misses_itself;
 }
 
 /// What a search in the distances of one probe finds.
@@ -50,14 +48,14 @@ ProbeHit search_probes(uint reflector, vec3 position, vec3 direction) {
 }
 
 /// Where a ray mirrored by a reflector can meet the scene.
-HitInterval trusted_interval(ProbeHit found, bool leaves_front) {
-    if (distances_tell(distance_maps[found.probe], found.ray, leaves_front)) return found.interval;
+HitInterval trusted_interval(ProbeHit found, bool misses_itself) {
+    if (distances_tell(distance_maps[found.probe], found.ray, misses_itself)) return found.interval;
     return HitInterval(0.0, INFINITY, found.interval.guess);
 }
 
 /// The same from the least of all distances of a probe alone: not closer than that.
-HitInterval outline_hit(DistanceMapInfo map, SearchRay ray, bool leaves_front) {
+HitInterval outline_hit(DistanceMapInfo map, SearchRay ray, bool misses_itself) {
     float nearest = least_distance(map.first_bounds);
-    if (!distances_tell(map, ray, leaves_front) || length(ray.origin) >= nearest) return HitInterval(0.0, INFINITY, INFINITY);
+    if (!distances_tell(map, ray, misses_itself) || length(ray.origin) >= nearest) return HitInterval(0.0, INFINITY, INFINITY);
     return HitInterval(ray_at_distance(ray, nearest), INFINITY, INFINITY);
 }

@@ -52,8 +52,11 @@ Prediction predict(const SceneData& data, const RenderSettings& settings, const 
             Film::bytes(maps.size + 2, maps.size + 2);
     }
     prediction.rough_maps = rough_map_bytes(data, maps.size);
-    prediction.distances = reflectors * DistanceMaps::bytes(DistanceMaps::size_for(maps.size)) +
-                           rough_distance_bytes(data, maps.size);
+    prediction.distances = rough_distance_bytes(data, maps.size);
+    if (reflectors > 0) {
+        prediction.distances += reflectors * DistanceMaps::bytes(DistanceMaps::size_for(maps.size)) +
+                                data.triangle_infos.size() * sizeof(float);
+    }
     return prediction;
 }
 

@@ -2,7 +2,9 @@
 #include "renderers/reflection_map/distance_maps.h"
 
 #include "renderers/reflection_map/block_bounds.h"
-#include "renderers/reflection_map/reflector_shape.h"
+#include "renderers/reflection_map/reflector_plane.h"
+#include "renderers/reflection_map/scene_triangles.h"
+#include "renderers/reflection_map/self_horizon.h"
 
 #include "base/error.h"
 
@@ -18,6 +20,7 @@
 #include <bit>
 #include <chrono>
 #include <cstring>
+#include <set>
 #include <utility>
 
 namespace utsuri {
@@ -39,22 +42,36 @@ std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const Sce
     }
     std::vector<interop::DistanceMapInfo> maps;
     for (std::uint32_t i = 0; i < infos.size(); ++i) {
-        const ReflectorShape shape = describe_shape(data, instances[i]);
         interop::DistanceMapInfo map{};
         map.first_sample = i * interop::DISTANCE_FACES * samples_per_face(size);
         map.first_bounds = i * interop::DISTANCE_FACES * bounds_per_face(size);
-        map.mirrors_itself = shape.convex ? 0 : 1;
-        if (shape.plane) {
-            map.plane_normal = glm::vec3(shape.plane->normal);
-            map.plane_distance = static_cast<float>(shape.plane->distance);
+        if (const std::optional<MirrorPlane> plane = plane_of(data, instances[i])) {
+            map.plane_normal = glm::vec3(plane->normal);
+            map.plane_distance = static_cast<float>(plane->distance);
         }
         maps.push_back(map);
     }
     return maps;
 }
 
+/// self_horizons() of reflectors for each triangle of the scene; 0 of plane ones and of all other triangles.
+std::vector<float> reflector_horizons(const SceneData& data, const std::vector<std::uint32_t>& instances) {
+    std::vector<float> horizons(data.triangle_infos.size(), 0.0f);
+    for (const std::uint32_t instance : std::set<std::uint32_t>(instances.begin(), instances.end())) {
+        if (plane_of(data, instance)) continue;
+        const std::vector<std::uint32_t> own = triangles_of(data, instance);
+        std::vector<Corners> surface;
+        for (const std::uint32_t triangle : own)
+            surface.push_back(corners_of(data, triangle));
+        const std::vector<float> of_surface = self_horizons(surface);
+        for (std::size_t i = 0; i < own.size(); ++i)
+            horizons[own[i]] = of_surface[i];
+    }
+    return horizons;
+}
+
 template <typename Record>
-std::uint64_t buffer_bytes(std::size_t probes, std::uint32_t records_per_face) {
+std::uint64_t kept_bytes(std::size_t probes, std::uint32_t records_per_face) {
     return std::max<std::uint64_t>(1, std::uint64_t{probes} * interop::DISTANCE_FACES * records_per_face) *
            sizeof(Record);
 }
@@ -63,6 +80,18 @@ std::uint64_t buffer_bytes(std::size_t probes, std::uint32_t records_per_face) {
 
 std::uint32_t DistanceMaps::size_for(std::uint32_t map_size) {
     return std::min(std::bit_ceil(map_size), kLargestDistanceMap);
+}
+
+std::uint32_t DistanceMaps::size_for(std::uint32_t map_size, std::size_t probes, std::uint64_t buffer_bytes) {
+    std::uint32_t size = size_for(map_size);
+    const auto fits = [&] {
+        // Of bounds those of radiance are larger than those of distances.
+        return std::max(kept_bytes<interop::DistanceSample>(probes, samples_per_face(size)),
+                        kept_bytes<glm::vec3>(probes, bounds_per_face(size))) <= buffer_bytes;
+    };
+    while (size > 1 && !fits())
+        size /= 2;
+    return size;
 }
 
 std::uint64_t DistanceMaps::bytes(std::uint32_t size) {
@@ -80,9 +109,10 @@ DistanceMaps::DistanceMaps(Device& device, const SceneData& data, std::vector<st
       tolerance_(tolerance),
       infos_(place_maps(device, data, instances_, infos, size)),
       info_buffer_(make_buffer<interop::DistanceMapInfo>(device, infos_, "distance maps")),
-      samples_(device, buffer_bytes<interop::DistanceSample>(infos.size(), samples_per_face(size)),
+      horizons_(make_buffer<float>(device, reflector_horizons(data, instances_), "horizons of reflectors")),
+      samples_(device, kept_bytes<interop::DistanceSample>(infos.size(), samples_per_face(size)),
                "distances"),
-      bounds_(device, buffer_bytes<interop::DistanceBounds>(infos.size(), bounds_per_face(size)),
+      bounds_(device, kept_bytes<interop::DistanceBounds>(infos.size(), bounds_per_face(size)),
               "bounds of distances"),
       captured_(infos_.size() * interop::DISTANCE_FACES) {}
 
@@ -162,6 +192,7 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
 
 Bindings DistanceMaps::bindings() const {
     return {{interop::BINDING_DISTANCE_MAPS, &info_buffer_},
+            {interop::BINDING_SELF_HORIZONS, &horizons_},
             {interop::BINDING_DISTANCE_SAMPLES, &samples_},
             {interop::BINDING_DISTANCE_BOUNDS, &bounds_}};
 }

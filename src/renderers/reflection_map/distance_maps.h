@@ -51,7 +51,10 @@ class DistanceMaps {
     /// Texels along an edge for reflection maps of a size: the power of two that is next to it upwards,
     /// within kLargestDistanceMap.
     static std::uint32_t size_for(std::uint32_t map_size);
-    /// Device memory for one probe, in bytes.
+    /// The same, halved until what is kept about a number of probes fits into buffers of a size: a search in
+    /// coarser distances asks for more rays, and is as right.
+    static std::uint32_t size_for(std::uint32_t map_size, std::size_t probes, std::uint64_t buffer_bytes);
+    /// Device memory for one probe, in bytes; beside it, all of a scene take a float for each triangle.
     static std::uint64_t bytes(std::uint32_t size);
 
   private:
@@ -62,6 +65,7 @@ class DistanceMaps {
     Tolerance::Of tolerance_;
     std::vector<interop::DistanceMapInfo> infos_;
     Buffer info_buffer_;
+    Buffer horizons_;
     Buffer samples_;
     Buffer bounds_;
     std::vector<bool> captured_;  ///< of each face of each probe

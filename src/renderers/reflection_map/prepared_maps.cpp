@@ -17,11 +17,16 @@ bool bounds_radiance(MapKind kind, const MapSettings& settings) {
     return kind == MapKind::hybrid && settings.tolerance.of == Tolerance::Of::radiance;
 }
 
+std::uint32_t distance_size(const Device& device, const ReflectionMaps& maps) {
+    return DistanceMaps::size_for(maps.largest_size(), maps.infos().size(),
+                                  device.summary().storage_range_bytes);
+}
+
 std::optional<DistanceMaps> make_distances(Device& device, const SceneData& data, const ReflectionMaps& maps,
                                            MapKind kind, const MapSettings& settings) {
     if (maps.infos().empty() || (!keeps_distances(kind) && !settings.predicts_errors)) return std::nullopt;
     return std::make_optional<DistanceMaps>(
-        device, data, maps.instances(), maps.infos(), DistanceMaps::size_for(maps.largest_size()),
+        device, data, maps.instances(), maps.infos(), distance_size(device, maps),
         bounds_radiance(kind, settings) ? Tolerance::Of::radiance : Tolerance::Of::place);
 }
 
@@ -29,7 +34,7 @@ std::optional<RadianceBounds> make_radiance_bounds(Device& device, const Reflect
                                                    const MapSettings& settings) {
     if (maps.infos().empty() || !bounds_radiance(kind, settings)) return std::nullopt;
     return std::make_optional<RadianceBounds>(device, maps.instances(), maps.infos(),
-                                              DistanceMaps::size_for(maps.largest_size()));
+                                              distance_size(device, maps));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection_map/reflected_rays.h"
 
-#include "renderers/reflection_map/reflector_shape.h"
+#include "renderers/reflection_map/reflector_plane.h"
 #include "renderers/reflection_map/scene_triangles.h"
 #include "renderers/reflection_map/view_directions.h"
 
@@ -85,10 +85,10 @@ std::vector<ReflectedRay> reflected_rays(const SceneData& scene, std::uint32_t i
     std::vector<ReflectedRay> rays;
     const Area area(scene, instance);
     if (area.empty()) return rays;
-    const ReflectorShape shape = describe_shape(scene, instance);
+    const std::optional<MirrorPlane> plane = plane_of(scene, instance);
     for (std::uint32_t i = 0; i < count; ++i) {
         const Area::Point point = area.at(kRayKey, i);
-        const glm::dvec3 normal = shape.plane ? shape.plane->normal : point.normal;
+        const glm::dvec3 normal = plane ? plane->normal : point.normal;
         const glm::dvec3 direction = cosine_direction(normal, sample_2d(kRayKey, i, 2));
         const auto hit =
             closest_hit_reference(scene.bvh, point.position, direction, kInfinity,

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast the normals of a triangle of the scene turn.
+// Sets what the vertex stage tells of the shape about a triangle of the scene.
+
+layout(scalar, binding = BINDING_SELF_HORIZONS) readonly restrict buffer SelfHorizons { float self_horizons[]; };
 
 /// Turn of the normal along an edge over its length.
 float edge_curvature(vec3 from, vec3 to, vec3 from_normal, vec3 to_normal) {
@@ -17,4 +19,9 @@ float least_curvature(uint triangle) {
     vec3 n2 = normals[vertices.z];
     return min(edge_curvature(corners.v0, corners.v1, n0, n1),
                min(edge_curvature(corners.v1, corners.v2, n1, n2), edge_curvature(corners.v2, corners.v0, n2, n0)));
+}
+
+void set_drawn_shape() {
+    drawn_curvature = least_curvature(drawn_ids.x);
+    drawn_horizon = self_horizons[drawn_ids.x];
 }

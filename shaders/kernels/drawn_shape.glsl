@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stages that predict errors are told of the shape about a polygon.
+
+layout(location = 10) DRAWN_FLAT float drawn_curvature;  // radians a metre, least of the edges; on the front, > 0 where convex
+layout(location = 11) DRAWN_FLAT float drawn_horizon;    // sine of how high the reflector rises before the front

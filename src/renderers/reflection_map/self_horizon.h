@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/reflection_map/scene_triangles.h"
+
+#include <vector>
+
+namespace utsuri {
+
+/// How high a surface rises before each of its triangles: a bound on the sine of the elevation, over the
+/// triangle's plane and to the side of its front, at which anything of the surface is seen from anywhere on
+/// the triangle. A ray that leaves the front more steeply cannot meet the surface again.
+/// @param surface neighbours in the list are near each other, or it takes long; triangles that touch share
+/// corners to the bit, or count as rising upright
+/// @returns a sine in [0, 1] for each triangle: 0 where nothing rises by more than rounding, 1 where
+/// something may rise upright, or where finding out would have taken more than kMostHorizonVisits
+std::vector<float> self_horizons(const std::vector<Corners>& surface);
+
+/// Pairs of a triangle and a group of others that are looked at for a surface, at most: some seconds of work.
+inline constexpr std::uint64_t kMostHorizonVisits = 100'000'000;
+
+}  // namespace utsuri
