@@ -211,7 +211,7 @@ TEST_F(PredictedErrors, Spheres) {
 class PredictedErrorsOfRooms : public PredictedErrors {};
 
 TEST_F(PredictedErrorsOfRooms, CurvedMirror) {
-    expect_bounds_of("curved-mirror", {3, 1, true, false});
+    expect_bounds_of("curved-mirror", {5, 1, true, false});
 }
 TEST_F(PredictedErrorsOfRooms, MirrorCornell) {
     expect_bounds_of("mirror-cornell", {3, 1});
