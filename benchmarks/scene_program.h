@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <cstdio>
 #include <exception>
 #include <fstream>
 #include <functional>
@@ -66,6 +67,8 @@ inline int measure_scenes(int argc, char** argv, const std::string& description,
 /// The whole of main().
 inline int run_scene_program(int argc, char** argv, const std::string& description,
                              const MeasureScene& measure) {
+    // Each method's figures as soon as they are there, to a file too.
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
     try {
         return measure_scenes(argc, argv, description, measure);
     } catch (const std::exception& error) {

@@ -23,7 +23,7 @@ bool leaves_front(Surface surface) {
 
 /// Whether a ray leaves the front more steeply than anything of the reflector rises before it.
 bool misses_itself(Surface surface, vec3 wi) {
-    return leaves_front(surface) && dot(wi, drawn_ng) > drawn_horizon;
+    return leaves_front(surface) && drawn_horizon < 1.0 && dot(wi, drawn_ng) > drawn_horizon;
 }
 
 Footprint drawn_footprint(Surface surface, vec3 wo) {

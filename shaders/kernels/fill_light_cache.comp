@@ -108,7 +108,8 @@ void main() {
     uint triangle = triangle_of(point);
     LightCacheTriangle lattice = cache_triangles[triangle];
     vec2 b = lattice_point(lattice, point - lattice.first_point).yz;
-    if (!is_reached(triangle_point(bvh_triangles[triangle], b.x, b.y))) return;
-    cache_points[point] = LightCachePoint(simulate_light(white_surface(triangle, b, true), 0u),
+    Surface front = white_surface(triangle, b, true);
+    if (!is_reached(front.position)) return;
+    cache_points[point] = LightCachePoint(simulate_light(front, 0u),
                                           simulate_light(white_surface(triangle, b, false), 1u));
 }

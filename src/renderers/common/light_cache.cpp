@@ -26,6 +26,7 @@ namespace {
 /// Intervals along an edge, at most: their points are numbered within 32 bits.
 constexpr double kMostIntervals = 32768.0;
 constexpr std::uint32_t kGroupSize = 64;
+constexpr std::uint64_t kSides = 2;
 constexpr std::uint64_t kMostPointsPerDispatch = std::uint64_t{kMaxGroups} * kGroupSize;
 
 std::uint64_t lattice_points(const interop::LightCacheTriangle& lattice) {
@@ -188,8 +189,9 @@ bool LightCache::may_keep(const FilledLight& filled, std::uint32_t revision,
         filled.lattices.size() != lattices_.size())
         return false;
     for (std::uint32_t t = 0; t < lattices_.size(); ++t) {
-        const bool is_touched = std::binary_search(changed.triangles.begin(), changed.triangles.end(), t);
-        if (!is_touched && !same_lattice(filled.lattices[t], lattices_[t])) return false;
+        if (!same_lattice(filled.lattices[t], lattices_[t]) &&
+            !std::binary_search(changed.triangles.begin(), changed.triangles.end(), t))
+            return false;
     }
     return true;
 }
@@ -233,13 +235,13 @@ void LightCache::simulate(const GpuScene& scene, std::uint32_t seed,
     DispatchBudget budget;
     for (std::uint64_t first = 0; first < points_; first = push.end_point) {
         if (progress.cancelled()) throw Interrupted();
-        const std::uint64_t fitting = std::clamp<std::uint64_t>(budget.next_units() / settings_.samples,
-                                                                kGroupSize, kMostPointsPerDispatch);
+        const std::uint64_t fitting = std::clamp<std::uint64_t>(
+            budget.next_units() / (kSides * settings_.samples), kGroupSize, kMostPointsPerDispatch);
         push.first_point = static_cast<std::uint32_t>(first);
         push.end_point = static_cast<std::uint32_t>(std::min(points_, first + fitting));
         const FrameCounts counts = simulate_points(kernel, set, push);
-        budget.record(std::uint64_t{push.end_point - push.first_point} * settings_.samples,
-                      counts.gpu_seconds);
+        // Points that keep their light cost next to nothing; those after them may cost all their rays.
+        if (counts.rays > 0) budget.record(counts.rays, counts.gpu_seconds);
         accumulate(filled.counts, counts);
         progress.update(static_cast<double>(push.end_point), static_cast<double>(points_));
     }

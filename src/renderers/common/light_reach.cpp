@@ -9,9 +9,9 @@
 namespace utsuri {
 namespace {
 
-/// How far a shadow ray may be off its way, and the test of it, as a share of the largest coordinate: where
-/// rays begin and end is moved off surfaces by some tens of roundings (2^-24 each), and what they meet and
-/// the test of boxes round a few times more.
+/// How far a shadow ray may be off its way, and the test of it, as a share of the largest coordinate: from
+/// the point that is tested and to the one aimed at, rays are moved off surfaces by some tens of roundings
+/// (2^-24 each), and what they meet and the test of boxes round a few times more.
 constexpr float kRounding = 0x1p-16f;
 
 Bounds box_of(const interop::BvhTriangle& triangle) {

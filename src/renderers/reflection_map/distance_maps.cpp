@@ -20,7 +20,7 @@
 #include <bit>
 #include <chrono>
 #include <cstring>
-#include <set>
+#include <span>
 #include <utility>
 
 namespace utsuri {
@@ -36,9 +36,8 @@ std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const Sce
     if (samples * sizeof(interop::DistanceSample) > limit) {
         throw UsageError(
             "measure distances", fmt::format("at {} texels from {} capture points", size, infos.size()),
-            fmt::format(
-                "they need {} MiB and {} can see {} MiB of a buffer; use a smaller --map-size or --probes",
-                samples * sizeof(interop::DistanceSample) >> 20, device.summary().name, limit >> 20));
+            fmt::format("they need {} MiB and {} can see {} MiB of a buffer; use fewer --probes",
+                        samples * sizeof(interop::DistanceSample) >> 20, device.summary().name, limit >> 20));
     }
     std::vector<interop::DistanceMapInfo> maps;
     for (std::uint32_t i = 0; i < infos.size(); ++i) {
@@ -54,20 +53,11 @@ std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const Sce
     return maps;
 }
 
-/// self_horizons() of reflectors for each triangle of the scene; 0 of plane ones and of all other triangles.
-std::vector<float> reflector_horizons(const SceneData& data, const std::vector<std::uint32_t>& instances) {
-    std::vector<float> horizons(data.triangle_infos.size(), 0.0f);
-    for (const std::uint32_t instance : std::set<std::uint32_t>(instances.begin(), instances.end())) {
-        if (plane_of(data, instance)) continue;
-        const std::vector<std::uint32_t> own = triangles_of(data, instance);
-        std::vector<Corners> surface;
-        for (const std::uint32_t triangle : own)
-            surface.push_back(corners_of(data, triangle));
-        const std::vector<float> of_surface = self_horizons(surface);
-        for (std::size_t i = 0; i < own.size(); ++i)
-            horizons[own[i]] = of_surface[i];
-    }
-    return horizons;
+std::vector<float> horizons_of(const SceneData& data, const std::vector<std::uint32_t>& triangles) {
+    std::vector<Corners> surface;
+    for (const std::uint32_t triangle : triangles)
+        surface.push_back(corners_of(data, triangle));
+    return self_horizons(surface);
 }
 
 template <typename Record>
@@ -103,13 +93,15 @@ DistanceMaps::DistanceMaps(Device& device, const SceneData& data, std::vector<st
                            const std::vector<interop::ProbeInfo>& infos, std::uint32_t size,
                            Tolerance::Of tolerance)
     : device_(&device),
+      data_(&data),
       instances_(std::move(instances)),
       probes_(infos),
       size_(size),
       tolerance_(tolerance),
       infos_(place_maps(device, data, instances_, infos, size)),
       info_buffer_(make_buffer<interop::DistanceMapInfo>(device, infos_, "distance maps")),
-      horizons_(make_buffer<float>(device, reflector_horizons(data, instances_), "horizons of reflectors")),
+      horizons_(data.triangle_infos.size()),
+      horizon_buffer_(make_buffer<float>(device, horizons_, "horizons of reflectors")),
       samples_(device, kept_bytes<interop::DistanceSample>(infos.size(), samples_per_face(size)),
                "distances"),
       bounds_(device, kept_bytes<interop::DistanceBounds>(infos.size(), bounds_per_face(size)),
@@ -117,6 +109,9 @@ DistanceMaps::DistanceMaps(Device& device, const SceneData& data, std::vector<st
       captured_(infos_.size() * interop::DISTANCE_FACES) {}
 
 void DistanceMaps::take_over(DistanceMaps& former) {
+    horizons_ = std::move(former.horizons_);
+    with_horizons_ = std::move(former.with_horizons_);
+    if (!horizons_.empty()) horizon_buffer_.upload(std::as_bytes(std::span(horizons_)));
     if (former.size_ != size_ || former.infos_.size() != infos_.size() || former.tolerance_ != tolerance_)
         return;
     samples_ = std::move(former.samples_);
@@ -131,12 +126,28 @@ void DistanceMaps::take_over(DistanceMaps& former) {
 
 void DistanceMaps::forget(const SeenChanges& changes) {
     if (changes.empty()) return;
+    std::erase_if(with_horizons_, [&](std::uint32_t instance) { return changes.has_moved(instance); });
     forget_faces(captured_, probes_, size_, [&](const ViewPyramid& view, std::size_t probe) {
         return changes.surfaces_differ_in(view, instances_[probe]);
     });
 }
 
+void DistanceMaps::find_horizons() {
+    bool found = false;
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        if (!with_horizons_.insert(instances_[i]).second || infos_[i].plane_normal != glm::vec3(0.0f))
+            continue;
+        const std::vector<std::uint32_t> triangles = triangles_of(*data_, instances_[i]);
+        const std::vector<float> horizons = horizons_of(*data_, triangles);
+        for (std::size_t t = 0; t < triangles.size(); ++t)
+            horizons_[triangles[t]] = horizons[t];
+        found = true;
+    }
+    if (found) horizon_buffer_.upload(std::as_bytes(std::span(horizons_)));
+}
+
 FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_compile, Progress& progress) {
+    find_horizons();
     FrameCounts counts;
     if (std::find(captured_.begin(), captured_.end(), false) == captured_.end()) return counts;
     const auto start = std::chrono::steady_clock::now();
@@ -192,7 +203,7 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
 
 Bindings DistanceMaps::bindings() const {
     return {{interop::BINDING_DISTANCE_MAPS, &info_buffer_},
-            {interop::BINDING_SELF_HORIZONS, &horizons_},
+            {interop::BINDING_SELF_HORIZONS, &horizon_buffer_},
             {interop::BINDING_DISTANCE_SAMPLES, &samples_},
             {interop::BINDING_DISTANCE_BOUNDS, &bounds_}};
 }

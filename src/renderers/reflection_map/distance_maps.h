@@ -12,6 +12,7 @@
 #include "interop/reflection.h"
 
 #include <cstdint>
+#include <set>
 #include <vector>
 
 namespace utsuri {
@@ -24,6 +25,7 @@ class DistanceMaps {
     /// @param tolerance whose errors the distances are to tell: of radiance, only what looks the same from
     /// everywhere tells any
     /// @throws UsageError if they cannot fit into one buffer of the device
+    /// @param data must outlive this
     /// @param instances that each of the probes belongs to
     DistanceMaps(Device& device, const SceneData& data, std::vector<std::uint32_t> instances,
                  const std::vector<interop::ProbeInfo>& infos, std::uint32_t size,
@@ -35,7 +37,7 @@ class DistanceMaps {
     /// Drops what a change may have changed.
     void forget(const SeenChanges& changes);
 
-    /// Traces the distances that are not there, and bounds them.
+    /// Traces the distances that are not there, and bounds them; finds horizons.
     /// @param seconds_to_compile is increased by the time of the pipelines
     FrameCounts capture(const GpuScene& scene, double& seconds_to_compile, Progress& progress);
 
@@ -58,14 +60,19 @@ class DistanceMaps {
     static std::uint64_t bytes(std::uint32_t size);
 
   private:
+    void find_horizons();
+
     Device* device_;
+    const SceneData* data_;
     std::vector<std::uint32_t> instances_;
     std::vector<interop::ProbeInfo> probes_;
     std::uint32_t size_;
     Tolerance::Of tolerance_;
     std::vector<interop::DistanceMapInfo> infos_;
     Buffer info_buffer_;
-    Buffer horizons_;
+    std::vector<float> horizons_;            ///< self_horizons() of each triangle of the scene
+    std::set<std::uint32_t> with_horizons_;  ///< instances whose own are there
+    Buffer horizon_buffer_;
     Buffer samples_;
     Buffer bounds_;
     std::vector<bool> captured_;  ///< of each face of each probe

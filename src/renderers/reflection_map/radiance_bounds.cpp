@@ -28,9 +28,10 @@ std::uint64_t bytes_of_bounds(const Device& device, std::size_t probes, std::uin
     if (bytes > limit) {
         throw UsageError(
             "bound radiance", fmt::format("at {} texels from {} capture points", size, probes),
-            fmt::format("that needs {} MiB and {} can see {} MiB of a buffer; use a smaller --map-size, or a "
-                        "--tolerance in pixels",
-                        bytes >> 20, device.summary().name, limit >> 20));
+            fmt::format(
+                "that needs {} MiB and {} can see {} MiB of a buffer; use fewer --probes, or a --tolerance "
+                "in pixels",
+                bytes >> 20, device.summary().name, limit >> 20));
     }
     return std::max<std::uint64_t>(bytes, sizeof(glm::vec3));
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace utsuri {
@@ -63,6 +64,17 @@ SeenChanges::SeenChanges(const SceneData& data, const SceneChange& change, std::
         const SurfaceFeatures& surface = data.requirements.surfaces[data.triangle_infos[t].material];
         if (surface.glossy || surface.specular) reflecting_.push_back(t);
     }
+}
+
+bool SeenChanges::has_moved(std::uint32_t instance) const {
+    for (std::size_t i = 0; i < change_.triangles.size(); ++i) {
+        const std::uint32_t triangle = change_.triangles[i];
+        if (data_.triangle_infos[triangle].instance == instance &&
+            std::memcmp(&data_.bvh.triangles[triangle], &change_.before[i], sizeof(interop::BvhTriangle)) !=
+                0)
+            return true;
+    }
+    return false;
 }
 
 bool SeenChanges::surfaces_differ_in(const ViewPyramid& view, std::uint32_t without) const {

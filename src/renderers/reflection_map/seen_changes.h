@@ -40,6 +40,8 @@ class SeenChanges {
     SeenChanges(const SceneData& data, const SceneChange& change, std::vector<std::uint32_t> lit);
 
     [[nodiscard]] bool empty() const { return change_.empty() && lit_.empty(); }
+    /// Whether some triangle of an instance is elsewhere.
+    [[nodiscard]] bool has_moved(std::uint32_t instance) const;
     /// Whether the surfaces in a view may be others, elsewhere, or of another look.
     /// @param without the instance that the view leaves out
     [[nodiscard]] bool surfaces_differ_in(const ViewPyramid& view, std::uint32_t without) const;

@@ -12,8 +12,11 @@
 namespace utsuri {
 namespace {
 
-/// Room for the rounding of sines, here and on the device, which has them in float32.
-constexpr double kSineRounding = 0x1p-17;
+/// A bound need not be found more closely than to this factor.
+constexpr double kCloseEnough = 1.01;
+
+/// What it costs to look at a pair of triangles, in groups of them.
+constexpr std::uint64_t kVisitsOfAPair = 8;
 
 struct Triangle {
     Corners corners;
@@ -61,6 +64,14 @@ double rounding_of(const std::vector<Corners>& surface) {
             largest = std::max({largest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
     }
     return 8.0 * kUnitRoundoff * largest;
+}
+
+/// Room for the rounding of sines on the device, in float32: of a unit direction, and of the normal that is
+/// the product of two edges, where these are long beside its length.
+double sine_rounding(const Triangle& triangle) {
+    const Corners& c = triangle.corners;
+    const double edges = glm::distance(c[0], c[1]) * glm::distance(c[0], c[2]);
+    return kUnitRoundoff * (16.0 + 8.0 * edges / glm::length(doubled_area(c)));
 }
 
 /// Sine of an elevation from a height and a bound on the distance.
@@ -134,17 +145,18 @@ class Wedge {
           sides_{glm::normalize(triangle.corners[(corner + 1) % 3] - apex_),
                  glm::normalize(triangle.corners[(corner + 2) % 3] - apex_)} {}
 
-    /// Sine of the elevation at which a point over the plane is seen from where in the wedge that is most.
-    [[nodiscard]] double elevation(const glm::dvec3& point) const {
-        const double height = glm::dot(normal_, point - apex_);
-        const glm::dvec3 below = point - apex_ - height * normal_;
+    [[nodiscard]] double height(const glm::dvec3& point) const { return glm::dot(normal_, point - apex_); }
+    /// To a point over the plane.
+    [[nodiscard]] double distance(const glm::dvec3& point) const {
+        const double up = height(point);
+        const glm::dvec3 below = point - apex_ - up * normal_;
         const bool is_within = glm::dot(glm::cross(sides_.first, below), normal_) >= 0.0 &&
                                glm::dot(glm::cross(below, sides_.second), normal_) >= 0.0;
-        if (is_within) return 1.0;
+        if (is_within) return up;
         double least = std::numeric_limits<double>::infinity();
         for (const glm::dvec3& side : {sides_.first, sides_.second})
             least = std::min(least, glm::length(below - std::max(0.0, glm::dot(below, side)) * side));
-        return height / std::sqrt(height * height + least * least);
+        return std::sqrt(up * up + least * least);
     }
 
   private:
@@ -153,25 +165,31 @@ class Wedge {
     std::pair<glm::dvec3, glm::dvec3> sides_;  ///< counter-clockwise about the normal
 };
 
-/// From around a corner that both share. All of the other triangle lies on ways from the corner to its
-/// opposite edge, along which elevations do not change; along that edge, over the plane, they rise to one
-/// maximum (a linear over a convex function), which is found by thirds.
+/// Bound on the sines at which points between two are seen from the wedge, by halves: heights are linear in
+/// between, and distances no less than that of the middle and how far it is to the ends.
+/// @param seen the greatest sine found so far: a bound is good enough if it is hardly above
+double elevation_between(const Wedge& wedge, const glm::dvec3& from, const glm::dvec3& to, double& seen,
+                         int halvings) {
+    const glm::dvec3 middle = glm::mix(from, to, 0.5);
+    const double distance = wedge.distance(middle);
+    seen = std::max(seen, steepest(wedge.height(middle), distance));
+    const double bound =
+        steepest(std::max(wedge.height(from), wedge.height(to)), distance - 0.5 * glm::distance(from, to));
+    if (halvings == 0 || bound <= kCloseEnough * seen) return bound;
+    const double first = elevation_between(wedge, from, middle, seen, halvings - 1);
+    return std::max(first, elevation_between(wedge, middle, to, seen, halvings - 1));
+}
+
+/// From around a corner that both share: all of the other triangle lies on ways from the corner to its
+/// opposite edge, along which elevations do not change.
 double elevation_around_corner(const Triangle& ground, std::size_t corner, glm::dvec3 from, glm::dvec3 to) {
+    constexpr int kMostHalvings = 20;
     const double h0 = ground.height(from);
     const double h1 = ground.height(to);
     if (h0 < 0.0) from = glm::mix(from, to, h0 / (h0 - h1));
     if (h1 < 0.0) to = glm::mix(to, from, h1 / (h1 - std::max(h0, 0.0)));
-    const Wedge wedge(ground, corner);
-    constexpr int kThirds = 24;  // to a few times 1e-5 of the edge
-    double begin = 0.0;
-    double end = 1.0;
-    for (int i = 0; i < kThirds; ++i) {
-        const double third = (end - begin) / 3.0;
-        const double a = wedge.elevation(glm::mix(from, to, begin + third));
-        const double b = wedge.elevation(glm::mix(from, to, end - third));
-        (a < b ? begin : end) = a < b ? begin + third : end - third;
-    }
-    return wedge.elevation(glm::mix(from, to, 0.5 * (begin + end)));
+    double seen = 0.0;
+    return elevation_between(Wedge(ground, corner), from, to, seen, kMostHalvings);
 }
 
 /// Where another triangle has the corners of one: its numbers of them, or 3.
@@ -208,25 +226,74 @@ double elevation_of(const Triangle& ground, const Triangle& other, double roundi
     return 1.0;
 }
 
+/// What a part of a surface lies in: a box, and a ball about its centre cut by two planes across the mean
+/// normal. Told by both, a smooth part rises before its neighbours by little more than it does.
+struct Part {
+    Box box;
+    double radius = 0.0;
+    glm::dvec3 normal{0.0};  ///< unit, or zero
+    double lowest = 0.0;     ///< of what is in it, along the normal from the centre
+    double highest = 0.0;
+
+    [[nodiscard]] glm::dvec3 centre() const { return 0.5 * (box.lower + box.upper); }
+
+    /// Bound on the height of what is in it over a plane.
+    [[nodiscard]] double height_over(const Triangle& ground) const {
+        const double at_centre = ground.height(centre());
+        const double in_box = glm::dot(glm::abs(ground.normal), 0.5 * (box.upper - box.lower));
+        const double cosine = glm::dot(ground.normal, normal);
+        const double sine = glm::length(ground.normal - cosine * normal);
+        const double in_ball = std::max(cosine * lowest, cosine * highest) + sine * radius;
+        return at_centre + std::min(in_box, in_ball);
+    }
+};
+
+Part part_of(const std::vector<Triangle>& triangles, std::size_t begin, std::size_t end) {
+    Part part;
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = begin; i < end; ++i) {
+        for (const glm::dvec3& corner : triangles[i].corners)
+            part.box.extend(corner);
+        sum += triangles[i].normal;
+    }
+    const double length = glm::length(sum);
+    if (length > 0.0) part.normal = sum / length;
+    part.lowest = std::numeric_limits<double>::infinity();
+    part.highest = -part.lowest;
+    for (std::size_t i = begin; i < end; ++i) {
+        for (const glm::dvec3& corner : triangles[i].corners) {
+            const glm::dvec3 offset = corner - part.centre();
+            part.radius = std::max(part.radius, glm::length(offset));
+            part.lowest = std::min(part.lowest, glm::dot(part.normal, offset));
+            part.highest = std::max(part.highest, glm::dot(part.normal, offset));
+        }
+    }
+    return part;
+}
+
 /// A surface as a binary tree over its list of triangles: a node is followed by its first half, then by its
 /// second.
 class SurfaceTree {
   public:
     SurfaceTree(const std::vector<Corners>& surface, double rounding)
         : triangles_(surface.begin(), surface.end()), rounding_(rounding) {
-        boxes_.reserve(2 * surface.size());
+        parts_.reserve(2 * surface.size());
         add(0, surface.size());
     }
 
     /// @param visits counts down; the horizon is 1 when none is left
     double horizon_of(std::size_t triangle, std::uint64_t& visits) const {
         if (!triangles_[triangle].has_area()) return 0.0;
-        double horizon = 0.0;
-        raise(triangle, box_of(triangles_[triangle].corners), {0, 0, triangles_.size()}, horizon, visits);
-        return horizon;
+        Elevation elevation;
+        raise(triangle, box_of(triangles_[triangle].corners), {0, 0, triangles_.size()}, elevation, visits);
+        return elevation.bound > 0.0 ? elevation.bound + sine_rounding(triangles_[triangle]) : 0.0;
     }
 
   private:
+    struct Elevation {
+        double of_pairs = 0.0;  ///< greatest of those looked at
+        double bound = 0.0;     ///< of all
+    };
     struct Node {
         std::size_t index;
         std::size_t begin;
@@ -237,59 +304,54 @@ class SurfaceTree {
         [[nodiscard]] Node second() const { return {index + 2 * (middle() - begin), middle(), end}; }
     };
 
-    Box add(std::size_t begin, std::size_t end) {
-        const std::size_t index = boxes_.size();
-        boxes_.emplace_back();
-        Box box = end - begin == 1 ? box_of(triangles_[begin].corners) : Box();
-        if (end - begin > 1) {
-            const std::size_t middle = begin + (end - begin) / 2;
-            for (const Box& half : {add(begin, middle), add(middle, end)}) {
-                box.extend(half.lower);
-                box.extend(half.upper);
-            }
-        }
-        boxes_[index] = box;
-        return box;
+    void add(std::size_t begin, std::size_t end) {
+        parts_.push_back(part_of(triangles_, begin, end));
+        if (end - begin == 1) return;
+        const std::size_t middle = begin + (end - begin) / 2;
+        add(begin, middle);
+        add(middle, end);
     }
 
-    /// Of all that may lie in a box.
-    double elevation_of_box(const Triangle& ground, const Box& around_ground, const Box& box) const {
-        const glm::dvec3 half = 0.5 * (box.upper - box.lower);
-        const double height =
-            ground.height(0.5 * (box.lower + box.upper)) + glm::dot(glm::abs(ground.normal), half);
-        if (!(height > rounding_)) return 0.0;
-        return steepest(height, distance_between(around_ground, box));
-    }
-
-    void raise(std::size_t triangle, const Box& around, const Node& node, double& horizon,
+    void raise(std::size_t triangle, const Box& around, const Node& node, Elevation& elevation,
                std::uint64_t& visits) const {
-        if (visits == 0) {
-            horizon = 1.0;
+        const Triangle& ground = triangles_[triangle];
+        const bool is_leaf = node.end - node.begin == 1;
+        const std::uint64_t cost = is_leaf ? kVisitsOfAPair : 1;
+        if (visits < cost) {
+            elevation = {1.0, 1.0};
             return;
         }
-        --visits;
-        const Triangle& ground = triangles_[triangle];
-        if (node.end - node.begin == 1) {
-            if (node.begin != triangle)
-                horizon = std::max(horizon, elevation_of(ground, triangles_[node.begin], rounding_));
+        visits -= cost;
+        if (is_leaf) {
+            if (node.begin == triangle) return;
+            elevation.of_pairs =
+                std::max(elevation.of_pairs, elevation_of(ground, triangles_[node.begin], rounding_));
+            elevation.bound = std::max(elevation.bound, elevation.of_pairs);
             return;
         }
         std::array<Node, 2> halves = {node.first(), node.second()};
         std::array<double, 2> bounds{};
-        for (std::size_t i = 0; i < 2; ++i)
-            bounds[i] = elevation_of_box(ground, around, boxes_[halves[i].index]);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Part& part = parts_[halves[i].index];
+            const double height = part.height_over(ground);
+            bounds[i] = height > 0.0 ? steepest(height, distance_between(around, part.box)) : 0.0;
+        }
         if (bounds[1] > bounds[0]) {
             std::swap(halves[0], halves[1]);
             std::swap(bounds[0], bounds[1]);
         }
         for (std::size_t i = 0; i < 2; ++i) {
-            if (bounds[i] > horizon) raise(triangle, around, halves[i], horizon, visits);
+            if (bounds[i] > kCloseEnough * elevation.of_pairs) {
+                raise(triangle, around, halves[i], elevation, visits);
+            } else {
+                elevation.bound = std::max(elevation.bound, bounds[i]);
+            }
         }
     }
 
     std::vector<Triangle> triangles_;
     double rounding_;
-    std::vector<Box> boxes_;
+    std::vector<Part> parts_;
 };
 
 }  // namespace
@@ -300,8 +362,7 @@ std::vector<float> self_horizons(const std::vector<Corners>& surface) {
     const SurfaceTree tree(surface, rounding_of(surface));
     std::uint64_t visits = kMostHorizonVisits;
     for (std::size_t i = 0; i < surface.size(); ++i) {
-        const double horizon = tree.horizon_of(i, visits);
-        horizons.push_back(static_cast<float>(horizon > 0.0 ? std::min(1.0, horizon + kSineRounding) : 0.0));
+        horizons.push_back(static_cast<float>(std::min(1.0, tree.horizon_of(i, visits))));
     }
     return horizons;
 }

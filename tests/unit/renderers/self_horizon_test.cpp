@@ -72,8 +72,29 @@ std::vector<Corners> shards() {
     return surface;
 }
 
+/// Needles about a common corner, turned any way and folded over each other.
+std::vector<Corners> fans() {
+    std::mt19937 random(9);
+    std::normal_distribution<double> number;
+    const auto vector = [&] { return glm::dvec3(number(random), number(random), number(random)); };
+    std::vector<Corners> surface;
+    for (int fan = 0; fan < 20; ++fan) {
+        const glm::dvec3 apex = 40.0 * vector();
+        for (int i = 0; i < 6; ++i) {
+            const glm::dvec3 tip = apex + 2.0 * vector();
+            surface.push_back({apex, tip, tip + (i % 2 == 0 ? 0.02 : 1.0) * vector()});
+        }
+    }
+    return surface;
+}
+
+/// On a corner, on an edge, or anywhere: elevations are greatest where triangles end.
 glm::dvec3 random_point(const Corners& corners, std::mt19937& random) {
     std::uniform_real_distribution<double> number(0.0, 1.0);
+    const std::uint32_t kind = random() % 3;
+    const std::size_t corner = random() % 3;
+    if (kind == 0) return corners[corner];
+    if (kind == 1) return glm::mix(corners[corner], corners[(corner + 1) % 3], number(random));
     const double root = std::sqrt(number(random));
     const double share = number(random);
     return (1.0 - root) * corners[0] + root * (1.0 - share) * corners[1] + root * share * corners[2];
@@ -90,6 +111,7 @@ std::vector<double> seen_elevations(const std::vector<Corners>& surface, int pai
             if (&other == &ground) continue;
             for (int i = 0; i < pairs; ++i) {
                 const glm::dvec3 way = random_point(other, random) - random_point(ground, random);
+                if (way == glm::dvec3(0.0)) continue;
                 highest = std::max(highest, glm::dot(normal, way) / glm::length(way));
             }
         }
@@ -101,7 +123,7 @@ std::vector<double> seen_elevations(const std::vector<Corners>& surface, int pai
 TEST(SelfHorizon, OfConvexSurfacesIsFlat) {
     for (const float at : {0.0f, 100.0f}) {
         for (const float horizon : self_horizons(surface_of(test::icosphere({at, 1.0f, 0.0f}, 0.3f, 4))))
-            EXPECT_EQ(horizon, 0.0f);
+            EXPECT_LE(horizon, at == 0.0f ? 0.0f : 2e-3f);  // 2^-24 of 100 over edges of 0.02
     }
     for (const float horizon : self_horizons(surface_of(test::quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}))))
         EXPECT_EQ(horizon, 0.0f);
@@ -137,10 +159,10 @@ TEST(SelfHorizon, OfSomethingFarIsItsElevation) {
 }
 
 TEST(SelfHorizon, IsNeverBelowWhatIsSeen) {
-    for (const auto& [name, surface] :
-         {std::pair("dish", dish()), std::pair("torus", torus(16)), std::pair("shards", shards())}) {
+    for (const auto& [name, surface] : {std::pair("dish", dish()), std::pair("torus", torus(16)),
+                                        std::pair("shards", shards()), std::pair("fans", fans())}) {
         const std::vector<float> horizons = self_horizons(surface);
-        const std::vector<double> seen = seen_elevations(surface, 20);
+        const std::vector<double> seen = seen_elevations(surface, 60);
         std::vector<double> shares;
         for (std::size_t i = 0; i < surface.size(); ++i) {
             EXPECT_GE(static_cast<double>(horizons[i]) + kFlat, seen[i]) << name << ' ' << i;
@@ -149,7 +171,7 @@ TEST(SelfHorizon, IsNeverBelowWhatIsSeen) {
         // What the bound is for: that it is seldom far above.
         ASSERT_FALSE(shares.empty());
         std::sort(shares.begin(), shares.end());
-        EXPECT_GT(shares[shares.size() / 2], 0.7) << name;
+        EXPECT_GT(shares[shares.size() / 2], 0.8) << name;
     }
 }
 
@@ -166,6 +188,30 @@ TEST(SelfHorizon, OfARingRisesOnItsInnerHalfAlone) {
         if (r < 0.7) {
             EXPECT_GT(horizons[i], 0.5f) << "at " << r;
         }
+    }
+}
+
+// The other's far edge comes within a hundredth of an edge of upright at its very end.
+TEST(SelfHorizon, AroundACornerIsThatOfTheEndOfANeedle) {
+    const std::vector<Corners> surface = {
+        Corners{glm::dvec3(0, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0)},
+        Corners{glm::dvec3(0, 0, 0), glm::dvec3(0.01, 0, 0.01), glm::dvec3(1, 0.5, 0)}};
+    const auto horizon = static_cast<double>(self_horizons(surface).front());
+    EXPECT_GE(horizon, std::sqrt(0.5));
+    EXPECT_LE(horizon, 1.02 * std::sqrt(0.5));
+}
+
+// Corrugations of half a millimetre, a kilometre from the origin: rays meet them as they are.
+TEST(SelfHorizon, OfSmallThingsFarFromTheOriginIsNotFlat) {
+    const std::vector<Corners> surface = sheet(8, [](double u, double v) {
+        const int step = static_cast<int>(std::lround(8.0 * u));
+        return glm::dvec3(1000.0 + 0.25 * u, 0.25 * v, step % 2 == 0 ? 0.0 : 0x1p-11);
+    });
+    const std::vector<float> horizons = self_horizons(surface);
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+        // Those at the ends have no valley before them.
+        if (surface[i][0].x < 1000.03 || surface[i][0].x > 1000.21) continue;
+        EXPECT_GT(horizons[i], 0.01f) << i;
     }
 }
 
