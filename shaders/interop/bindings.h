@@ -60,7 +60,7 @@ INTEROP_CONSTANT BINDING_ROUGH_INVERSE_DISTANCES = 50u;  ///< of each texel of r
 INTEROP_CONSTANT BINDING_ROUGH_PROBES = 51u;             ///< RoughProbe of each instance, one after the other
 INTEROP_CONSTANT BINDING_LIGHT_BOUNDS = 52u;
 INTEROP_CONSTANT BINDING_CHANGED_BOXES = 53u;
-INTEROP_CONSTANT BINDING_SELF_HORIZONS = 54u;  ///< of each triangle: how high its reflector rises before it, a sine
+INTEROP_CONSTANT BINDING_SELF_HORIZONS = 54u;  ///< sines, of each triangle: self_horizon.h
 
 INTEROP_END
 #endif

@@ -25,7 +25,7 @@ struct LightCachePoint {
 
 /// Where light comes from.
 struct LightBounds {
-    uint infinite;  ///< 0: the corners are of a box that holds lights; 1: of one that holds directions to them
+    uint infinite;  ///< 0: the box holds lights; 1: it holds directions to lights
     vec3 lower;
     vec3 upper;
 };

@@ -2,6 +2,7 @@
 // Renderers follow a scene whose things move and whose lights change: pictures are those of renderers made
 // for it as it is, and what the change cannot have touched is not made anew.
 #include "renderers/ray_trace/ray_tracer.h"
+#include "support/light_scenes.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 
@@ -245,6 +246,33 @@ TEST_F(ChangedRoom, BoundsRadianceAnewWhereItChanged) {
     following->follow(change(changed), silent_);
     const std::unique_ptr<Renderer> anew = prepared(MapKind::hybrid, camera);
     EXPECT_LT(traced(*anew), before);
+    EXPECT_EQ(following->traced_pixels(), anew->traced_pixels());
+    EXPECT_EQ(picture(*following), picture(*anew));
+}
+
+// An open book, whose pages see each other only at less than 44 degrees; then steeper, where they face.
+TEST_F(ChangedRoom, FindsAnewWhichRaysMissAMirrorThatWasBent) {
+    Mesh book;
+    book.positions = {{0, 0, -1}, {0, 0, 1}, {-1, 0.4f, 1}, {-1, 0.4f, -1}, {1, 0.4f, -1}, {1, 0.4f, 1}};
+    book.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}};
+    Scene changed;
+    add(changed, faceted(book), mirror());
+    add(changed, room({-3, -3, -3}, {3, 3, 3}), emitter({0.3f, 0.5f, 0.2f}));
+    maps_.size = 64;
+    maps_.tolerance = {Tolerance::Of::place, 4.0};
+    prepare(changed);
+    const Camera camera = look_at({0.125, 2.5, 0.25}, {0, 0, 0});
+    const std::unique_ptr<Renderer> following = prepared(MapKind::hybrid, camera);
+    const auto traced = [](Renderer& renderer) {
+        const std::vector<float> pixels = renderer.traced_pixels();
+        return std::count(pixels.begin(), pixels.end(), 1.0f);
+    };
+    const std::ptrdiff_t before = traced(*following);
+    glm::dmat4& place = changed.instances[0].world_from_object;
+    place = glm::scale(glm::dmat4(1.0), {1.0, 2.5, 1.0}) * place;
+    following->follow(change(changed), silent_);
+    const std::unique_ptr<Renderer> anew = prepared(MapKind::hybrid, camera);
+    EXPECT_GT(traced(*anew), before);
     EXPECT_EQ(following->traced_pixels(), anew->traced_pixels());
     EXPECT_EQ(picture(*following), picture(*anew));
 }
