@@ -208,6 +208,7 @@ struct SharedCorners {
 
 double elevation_of(const Triangle& ground, const Triangle& other, double rounding) {
     const RisingPart rising(ground, other.corners);
+    // Facets in one plane rise by rounding, and where they touch, at any angle.
     if (!(rising.height > rounding) || !other.has_area()) return 0.0;
     const SharedCorners shared(ground.corners, other.corners);
     if (shared.count == 0) return steepest(rising.height, gap_between(ground, rising.corners, other.normal));
@@ -361,9 +362,8 @@ std::vector<float> self_horizons(const std::vector<Corners>& surface) {
     if (surface.empty()) return horizons;
     const SurfaceTree tree(surface, rounding_of(surface));
     std::uint64_t visits = kMostHorizonVisits;
-    for (std::size_t i = 0; i < surface.size(); ++i) {
+    for (std::size_t i = 0; i < surface.size(); ++i)
         horizons.push_back(static_cast<float>(std::min(1.0, tree.horizon_of(i, visits))));
-    }
     return horizons;
 }
 

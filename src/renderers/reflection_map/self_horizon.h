@@ -9,7 +9,9 @@ namespace utsuri {
 
 /// How high a surface rises before each of its triangles: a bound on the sine of the elevation, over the
 /// triangle's plane and to the side of its front, at which anything of the surface is seen from anywhere on
-/// the triangle. A ray that leaves the front more steeply cannot meet the surface again.
+/// the triangle. A ray that leaves the front more steeply cannot meet the surface again, but for what rises
+/// by less than rounding can: 2^-21 of the largest coordinate. Facets in one plane would rise before each
+/// other by as much.
 /// @param surface neighbours in the list are near each other, or it takes long; triangles that touch share
 /// corners to the bit, or count as rising upright
 /// @returns a sine in [0, 1] for each triangle: 0 where nothing rises, 1 where something may rise upright, or

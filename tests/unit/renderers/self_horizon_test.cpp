@@ -201,7 +201,7 @@ TEST(SelfHorizon, AroundACornerIsThatOfTheEndOfANeedle) {
     EXPECT_LE(horizon, 1.02 * std::sqrt(0.5));
 }
 
-// Corrugations of half a millimetre, a kilometre from the origin: rays meet them as they are.
+// Corrugations of half a millimetre, a kilometre from the origin: just more than rounding can be.
 TEST(SelfHorizon, OfSmallThingsFarFromTheOriginIsNotFlat) {
     const std::vector<Corners> surface = sheet(8, [](double u, double v) {
         const int step = static_cast<int>(std::lround(8.0 * u));
