@@ -3,8 +3,8 @@
 // mirror changed, beside preparing it anew. Usage: bench_changes [--json FILE] [--device NAME] [--width W
 // --height H]
 // [--map-size N] [--rounds N] SCENE ...
-#include "compare/method.h"
 #include "import/gltf.h"
+#include "renderers/methods/method.h"
 
 #include "median.h"
 #include "scene_program.h"

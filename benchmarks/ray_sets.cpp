@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ray_sets.h"
 
-#include "renderers/common/frame_camera.h"
+#include "renderers/film/frame_camera.h"
 
 #include "base/sampler.h"
 #include "geometry/reference_intersection.h"
@@ -80,7 +80,7 @@ RaySets make_ray_sets(const SceneData& data, const Camera& camera, std::uint32_t
     for (std::uint32_t tile_y = 0; tile_y < height; tile_y += interop::TILE_SIZE) {
         for (std::uint32_t tile_x = 0; tile_x < width; tile_x += interop::TILE_SIZE) {
             for (std::uint32_t i = 0; i < interop::TILE_SIZE * interop::TILE_SIZE; ++i) {
-                // Blocks of 4 x 2 pixels, as in shaders/kernels/film_bindings.glsl.
+                // Blocks of 4 x 2 pixels, as in shaders/kernels/film/film_bindings.glsl.
                 const glm::uvec2 pixel(tile_x + ((i & 3u) | ((i >> 1) & 4u)),
                                        tile_y + (((i >> 2) & 1u) | ((i >> 3) & 6u)));
                 if (pixel.x >= width || pixel.y >= height) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/common/scene_data.h"
+#include "renderers/scene/scene_data.h"
 
 #include "interop/rays.h"
 

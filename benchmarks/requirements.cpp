@@ -4,8 +4,8 @@
 // instances that need them, beside maps for all. Usage: bench_requirements [--json FILE] [--device NAME]
 // [--width W --height H] [--map-size N] [--rounds N] SCENE ...
 #include "import/gltf.h"
-#include "renderers/ray_trace/ray_tracer.h"
-#include "renderers/reflection_map/rough_map_plan.h"
+#include "renderers/methods/ray_tracer.h"
+#include "renderers/reflection/glossy/rough_map_plan.h"
 
 #include "base/check.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/common/renderer.h"
+#include "renderers/methods/renderer.h"
 
 #include "gpu/device.h"
 #include "gpu/vulkan_instance.h"

@@ -2,7 +2,7 @@
 // Rays per second of the traversal kernel beside Embree, on the same rays and cores in the same run.
 // Usage: bench_tracing [--json FILE] [--device NAME] [--size WxH] [--rounds N] SCENE ...
 #include "import/gltf.h"
-#include "renderers/ray_trace/ray_list.h"
+#include "renderers/scene/ray_list.h"
 #include "support/embree_oracle.h"
 
 #include "median.h"

@@ -2,17 +2,18 @@
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
-# utsuri_add_kernels(TARGET file ...): compiles kernels/FILE of the current folder, NAME.comp, NAME.vert or NAME.frag,
+# utsuri_add_kernels(TARGET file ...): compiles kernels/FILE of the current folder, ROOM/NAME.comp, .vert or .frag,
 # validates the SPIR-V and embeds it in a header of TARGET, an interface library: NAME.comp as `utsuri::kernels::NAME` in
-# "kernels/NAME.h", NAME.vert as NAME_vert, NAME.frag as NAME_frag. It is compiled again when a file it includes changes
-# (depfile).
+# "kernels/NAME.h", NAME.vert as NAME_vert, NAME.frag as NAME_frag, whatever its room. It is compiled again when a file it
+# includes changes (depfile).
 function(utsuri_add_kernels target)
     set(folder ${CMAKE_CURRENT_BINARY_DIR}/generated)
     file(MAKE_DIRECTORY ${folder}/kernels)
     set(headers)
     foreach(file ${ARGN})
         set(source ${CMAKE_CURRENT_SOURCE_DIR}/kernels/${file})
-        string(REPLACE ".comp" "" name ${file})
+        cmake_path(GET file FILENAME name)
+        string(REPLACE ".comp" "" name ${name})
         string(REPLACE "." "_" name ${name})
         set(spirv ${folder}/kernels/${name}.spv)
         set(header ${folder}/kernels/${name}.h)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/common/aov.h"
-#include "renderers/common/renderer.h"
-#include "renderers/common/scene_data.h"
+#include "renderers/film/aov.h"
+#include "renderers/methods/renderer.h"
+#include "renderers/scene/scene_data.h"
 
 #include "image_io/image_io.h"
 

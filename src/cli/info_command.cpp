@@ -3,10 +3,10 @@
 #include "cli/output.h"
 #include "cli/session.h"
 #include "compare/comparison_table.h"
-#include "renderers/common/film.h"
-#include "renderers/common/light_cache.h"
-#include "renderers/reflection_map/distance_maps.h"
-#include "renderers/reflection_map/rough_map_plan.h"
+#include "renderers/film/film.h"
+#include "renderers/light/light_cache.h"
+#include "renderers/reflection/distances/distance_maps.h"
+#include "renderers/reflection/glossy/rough_map_plan.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/common/light_cache.h"
-#include "renderers/common/renderer.h"
-#include "renderers/reflection_map/reflection_maps.h"
+#include "renderers/light/light_cache.h"
+#include "renderers/methods/renderer.h"
+#include "renderers/reflection/maps/reflection_maps.h"
 
 #include <CLI/App.hpp>
 #include <glm/vec3.hpp>

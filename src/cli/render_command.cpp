@@ -7,7 +7,7 @@
 #include "cli/trade_choice.h"
 #include "compare/comparison_json.h"
 #include "compare/comparison_table.h"
-#include "renderers/common/frame_camera.h"
+#include "renderers/film/frame_camera.h"
 
 #include "base/file.h"
 #include "base/version.h"

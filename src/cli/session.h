@@ -2,8 +2,8 @@
 #pragma once
 
 #include "cli/options.h"
-#include "compare/method.h"
 #include "import/gltf.h"
+#include "renderers/methods/method.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "compare/method.h"
 #include "compare/reflection_errors.h"
+#include "renderers/methods/method.h"
 
 #include "base/error.h"
 #include "gpu/device_selection.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "compare/method.h"
+#include "renderers/methods/method.h"
 
 #include "base/progress.h"
 #include "image/plane.h"

@@ -2,8 +2,8 @@
 #include "compare/run_comparison.h"
 
 #include "compare/measure.h"
-#include "renderers/common/aov.h"
-#include "renderers/common/frame_camera.h"
+#include "renderers/film/aov.h"
+#include "renderers/film/frame_camera.h"
 
 #include "image/tone.h"
 

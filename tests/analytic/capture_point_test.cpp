@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where maps are captured: in the middle of the object, unless that is buried in another.
-#include "renderers/reflection_map/capture_point.h"
+#include "renderers/reflection/reflectors/capture_point.h"
 
 #include "support/light_scenes.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Maps are captured when something looks them up, and no others; pictures do not tell.
-#include "renderers/reflection_map/planar_renderer.h"
+#include "renderers/methods/planar_renderer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 

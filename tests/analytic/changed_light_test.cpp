@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light on surfaces of a scene in which something moved: simulated anew only where its shadow was or is,
 // and the light that a scene would have which was always so.
-#include "renderers/common/light_cache.h"
+#include "renderers/light/light_cache.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
 

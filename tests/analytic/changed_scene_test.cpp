@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renderers follow a scene whose things move and whose lights change: pictures are those of renderers made
 // for it as it is, and what the change cannot have touched is not made anew.
-#include "renderers/ray_trace/ray_tracer.h"
+#include "renderers/methods/ray_tracer.h"
 #include "support/light_scenes.h"
 #include "support/methods.h"
 #include "support/test_device.h"

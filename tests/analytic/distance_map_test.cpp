@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // direct/distance-map, the distances it searches, and predictions of errors, in the worked room.
-#include "renderers/reflection_map/distance_maps.h"
+#include "renderers/reflection/distances/distance_maps.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
 #include "support/worked_room.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // hybrid with plane mirrors: their images, maps or rays where mirrors are curved, rays where an image would
 // cost more.
-#include "renderers/common/aov.h"
-#include "renderers/common/frame_camera.h"
-#include "renderers/reflection_map/planar_renderer.h"
+#include "renderers/film/aov.h"
+#include "renderers/film/frame_camera.h"
+#include "renderers/methods/planar_renderer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light kept on surfaces, held against closed forms at the very points where it is kept.
-#include "renderers/common/light_cache.h"
+#include "renderers/light/light_cache.h"
 
 #include "support/estimate.h"
 #include "support/light_scenes.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // direct/planar: what plane mirrors show is known from plane geometry (references.md A6.1, A6.4).
-#include "renderers/reflection_map/planar_renderer.h"
+#include "renderers/methods/planar_renderer.h"
 #include "support/coded_room.h"
 #include "support/estimate.h"
 #include "support/light_scenes.h"

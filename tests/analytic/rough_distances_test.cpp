@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Distances of what rough lobes reflect, and look-ups that they correct.
-#include "renderers/reflection_map/rough_maps.h"
+#include "renderers/reflection/glossy/rough_maps.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
 #include "support/worked_room.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/reflection_map/map_renderer.h"
+#include "renderers/methods/map_renderer.h"
 #include "support/scenes.h"
 
 #include "interop/rough_map.h"

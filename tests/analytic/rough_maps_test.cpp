@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rough lobes of drawn surfaces, looked up in maps convolved with the lobe.
-#include "renderers/reflection_map/rough_maps.h"
+#include "renderers/reflection/glossy/rough_maps.h"
 
 #include "support/coded_walls.h"
 #include "support/light_scenes.h"

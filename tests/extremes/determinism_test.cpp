@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The same picture for any split of the work.
-#include "renderers/ray_trace/ray_tracer.h"
+#include "renderers/methods/ray_tracer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 

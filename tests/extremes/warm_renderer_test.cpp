@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A renderer learns how much work its device does in a tenth of a second. What it has learnt must not show.
-#include "renderers/ray_trace/ray_tracer.h"
+#include "renderers/methods/ray_tracer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the raster pipeline draws is what rays see.
-#include "renderers/reflection_map/frame_drawer.h"
+#include "renderers/reflection/raster/frame_drawer.h"
 
-#include "renderers/common/aov.h"
-#include "renderers/common/frame_camera.h"
-#include "renderers/common/light_cache.h"
-#include "renderers/reflection_map/prepared_maps.h"
-#include "renderers/reflection_map/reflection_maps.h"
+#include "renderers/film/aov.h"
+#include "renderers/film/frame_camera.h"
+#include "renderers/light/light_cache.h"
+#include "renderers/methods/prepared_maps.h"
+#include "renderers/reflection/maps/reflection_maps.h"
 #include "support/scenes.h"
 #include "support/test_device.h"
 

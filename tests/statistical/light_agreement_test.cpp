@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Over whole scenes, diffuse surfaces lit from light that is kept on them agree with direct/trace.
 #include "import/gltf.h"
-#include "renderers/common/aov.h"
-#include "renderers/common/frame_camera.h"
-#include "renderers/ray_trace/ray_tracer.h"
-#include "renderers/reflection_map/map_renderer.h"
+#include "renderers/film/aov.h"
+#include "renderers/film/frame_camera.h"
+#include "renderers/methods/map_renderer.h"
+#include "renderers/methods/ray_tracer.h"
 #include "support/scenes.h"
 #include "support/test_device.h"
 

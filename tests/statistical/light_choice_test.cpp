@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Choosing among lights: the alias table, and that many lights at once give what each gives alone.
-#include "renderers/common/light_table.h"
+#include "renderers/scene/light_table.h"
 #include "support/estimate.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a film tells about its own noise, and that nothing connects one pixel, seed or half with another.
-#include "renderers/common/frame_camera.h"
+#include "renderers/film/film_kernel.h"
+#include "renderers/film/frame_camera.h"
 #include "support/estimate.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"

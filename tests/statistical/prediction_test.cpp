@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Predicted errors of look-ups hold what rays measure: over scenes, methods and random eyes.
 #include "import/gltf.h"
-#include "renderers/reflection_map/map_renderer.h"
+#include "renderers/methods/map_renderer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 

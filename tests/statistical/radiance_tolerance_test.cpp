@@ -2,7 +2,7 @@
 // What hybrid looks up is as bright as what it traces, give or take the tolerance: over scenes and random
 // eyes.
 #include "import/gltf.h"
-#include "renderers/reflection_map/map_renderer.h"
+#include "renderers/methods/map_renderer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/reflection_map/convex_region.h"
 #include "support/scenes.h"
+
+#include "geometry/convex_region.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/estimate.h"
 
-#include "renderers/common/frame_camera.h"
+#include "renderers/film/frame_camera.h"
 
 #include "kernels/trace_direct.h"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/common/gpu_scene.h"
-#include "renderers/common/renderer.h"
+#include "renderers/film/film_kernel.h"
+#include "renderers/methods/renderer.h"
+#include "renderers/scene/gpu_scene.h"
 #include "support/scenes.h"
 
 #include "gpu/device.h"

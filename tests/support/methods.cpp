@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/methods.h"
 
-#include "renderers/common/frame_camera.h"
+#include "renderers/film/frame_camera.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/reflection_map/map_renderer.h"
-#include "renderers/reflection_map/planar_renderer.h"
+#include "renderers/methods/map_renderer.h"
+#include "renderers/methods/planar_renderer.h"
 #include "support/scenes.h"
 
 namespace utsuri::test {

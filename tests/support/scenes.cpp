@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/scenes.h"
 
-#include "renderers/ray_trace/ray_tracer.h"
+#include "renderers/methods/ray_tracer.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

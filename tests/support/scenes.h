@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/common/renderer.h"
-#include "renderers/common/scene_data.h"
+#include "renderers/methods/renderer.h"
+#include "renderers/scene/scene_data.h"
 
 #include "base/progress.h"
 #include "image/image.h"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""include_rules.py ROOT: holds the include lines of src and shaders against the layering of docs/architecture.md.
+"""include_rules.py ROOT: holds the include lines of src and shaders against the rooms of rooms.py.
 
 Prints each violation as "file:line: what is wrong"; exit code 1 if there is any, else 0. Also: descriptor bindings
 stand only in shaders/kernels, and no source file is longer than LONGEST_FILE lines. Before it looks at the tree it
@@ -10,26 +10,11 @@ import re
 import sys
 from pathlib import Path
 
-LONGEST_FILE = 600
-SOURCE_SUFFIXES = {".h", ".cpp", ".comp", ".glsl", ".py", ".cmake"}
-SOURCE_FOLDERS = ["src", "shaders", "tests", "benchmarks", "scenes", "cmake", "scripts"]
+from rooms import Room, SHADER_ROOMS, SOURCE_ROOMS
 
-# What each folder of src may include besides itself. "a/b.h" names one header.
-CORE = {"base", "image", "geometry", "scene", "gpu", "interop"}
-LAYERS = {
-    "base": set(),
-    "image": {"base"},
-    "geometry": {"base", "interop"},
-    "scene": {"geometry", "base", "image", "interop"},
-    "gpu": {"base"},
-    "image_io": {"image", "base", "scene/texture.h"},
-    "import": {"scene", "image_io", "geometry", "base"},
-    "renderers/common": CORE | {"kernels"},
-    "compare": CORE | {"renderers", "image_io"},
-    "cli": CORE | {"renderers", "image_io", "import", "compare"},
-    "viewer": CORE | {"renderers", "image_io", "import", "compare"},
-}
-TECHNIQUE = LAYERS["renderers/common"] | {"renderers/common"}
+LONGEST_FILE = 600
+SOURCE_SUFFIXES = {".h", ".cpp", ".comp", ".vert", ".frag", ".glsl", ".py", ".cmake"}
+SOURCE_FOLDERS = ["src", "shaders", "tests", "benchmarks", "scenes", "cmake", "scripts"]
 
 # Libraries beyond the standard one, and the folders that may see them; every folder may see those of ANYWHERE.
 ANYWHERE = {"glm", "fmt"}
@@ -44,28 +29,34 @@ LIBRARIES = {
 }
 SYSTEM_HEADERS = {"unistd.h", "io.h"}  # is the terminal one, on POSIX and on Windows: cli only
 
-SHADER_LAYERS = {
-    "interop": {"interop"},
-    "lib": {"lib", "interop"},
-    "kernels": {"kernels", "lib", "interop"},
-}
-
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 BINDING = re.compile(r"\blayout\s*\([^)]*\bbinding\b")
 
 
-def folder_of(path):
-    """The layer a path relative to src (a file's own, or an included one) belongs to."""
-    parts = path.split("/")
-    if parts[0] == "renderers" and len(parts) > 2:
-        return "/".join(parts[:2])
-    return parts[0]
+def room_of(path, rooms):
+    """The innermost room that a path is in, or None."""
+    inside = [room for room in rooms if path.startswith(room.name + "/")]
+    return max(inside, key=lambda room: len(room.name), default=None)
 
 
-def may_include(folder, header):
-    allowed = LAYERS.get(folder, TECHNIQUE if folder.startswith("renderers/") else set())
-    layer = folder_of(header)
-    return layer == folder or layer in allowed or layer.split("/")[0] in allowed or header in allowed
+def may_include(room, header, rooms):
+    """Whether a file of a room may include a header of the same tree, or one of `interop` and `kernels`."""
+    if header in room.may_include:
+        return True
+    target = room_of(header, rooms)
+    name = target.name if target else header.split("/")[0]
+    return name == room.name or name in room.may_include
+
+
+def upward_rooms(rooms):
+    """What is wrong with the order of rooms: each may name only what stands before it."""
+    known = {"interop", "kernels"}
+    problems = []
+    for room in rooms:
+        problems += [f"{room.name} names {other}, which does not stand before it"
+                     for other in room.may_include if other not in known and not other.endswith(".h")]
+        known.add(room.name)
+    return problems
 
 
 def library_problem(folder, header):
@@ -87,28 +78,32 @@ def source_problem(path, line):
     include = INCLUDE.match(line)
     if not include:
         return None
-    folder = folder_of(path)
+    room = room_of(path, SOURCE_ROOMS)
+    if room is None:
+        return "is in no room of rooms.py"
     if include.group(2):
-        return library_problem(folder, include.group(2))
-    if not may_include(folder, include.group(1)):
-        return f"{folder} may not include {include.group(1)}"
+        return library_problem(room.name, include.group(2))
+    if not may_include(room, include.group(1), SOURCE_ROOMS):
+        return f"{room.name} may not include {include.group(1)}"
     return None
 
 
 def shader_problem(path, line):
     """What is wrong with a line of shaders/`path`, or None."""
-    folder = path.split("/")[0]
-    if folder != "kernels" and BINDING.search(line):
+    if not path.startswith("kernels/") and BINDING.search(line):
         return "bindings are declared in shaders/kernels only"
     include = INCLUDE.match(line)
     if not include:
         return None
+    room = room_of(path, SHADER_ROOMS)
+    if room is None:
+        return "is in no room of rooms.py"
     if include.group(2):
         # The C++ side of the prelude.
         is_prelude = path == "interop/prelude.h" and (include.group(2) == "cstdint" or include.group(2)[:4] == "glm/")
         return None if is_prelude else f"shaders may not include <{include.group(2)}>"
-    if include.group(1).split("/")[0] not in SHADER_LAYERS.get(folder, set()):
-        return f"shaders/{folder} may not include {include.group(1)}"
+    if not may_include(room, include.group(1), SHADER_ROOMS):
+        return f"shaders/{room.name} may not include {include.group(1)}"
     return None
 
 
@@ -123,34 +118,43 @@ FAULTS = [
     (source_problem, "gpu/buffer.h", '#include "interop/rays.h"'),
     (source_problem, "image/image.h", '#include "image_io/image_io.h"'),
     (source_problem, "image_io/image_io.h", '#include "scene/scene.h"'),
-    (source_problem, "import/gltf.h", '#include "renderers/common/film.h"'),
+    (source_problem, "import/gltf.h", '#include "renderers/film/film.h"'),
     (source_problem, "scene/scene.h", '#include "gpu/device.h"'),
-    (source_problem, "renderers/common/film.h", '#include "renderers/ray_trace/ray_list.h"'),
-    (source_problem, "renderers/ray_trace/ray_list.h", '#include "renderers/reflection_map/reflectors.h"'),
-    (source_problem, "renderers/ray_trace/ray_list.h", '#include "import/gltf.h"'),
-    (source_problem, "compare/method.h", '#include "cli/options.h"'),
-    (source_problem, "compare/method.h", '#include "import/gltf.h"'),
+    (source_problem, "scene/scene.h", '#include "image/image.h"'),
+    (source_problem, "renderers/scene/gpu_scene.h", '#include "renderers/film/film.h"'),
+    (source_problem, "renderers/light/light_cache.h", '#include "renderers/methods/renderer.h"'),
+    (source_problem, "renderers/reflection/maps/map_size.h", '#include "renderers/reflection/raster/reflector_drawer.h"'),
+    (source_problem, "renderers/reflection/planar/image_drawer.h", '#include "renderers/reflection/maps/map_size.h"'),
+    (source_problem, "renderers/methods/renderer.h", '#include "import/gltf.h"'),
+    (source_problem, "renderers/lost.h", '#include "base/file.h"'),
+    (source_problem, "compare/measure.h", '#include "cli/options.h"'),
+    (source_problem, "compare/measure.h", '#include "import/gltf.h"'),
     (source_problem, "cli/options.h", '#include "viewer/window.h"'),
-    (source_problem, "compare/method.h", "#include <OpenImageIO/imageio.h>"),
-    (source_problem, "compare/method.h", "#include <tiny_gltf.h>"),
+    (source_problem, "compare/measure.h", "#include <OpenImageIO/imageio.h>"),
+    (source_problem, "compare/measure.h", "#include <tiny_gltf.h>"),
     (source_problem, "cli/options.h", "#include <GLFW/glfw3.h>"),
     (source_problem, "cli/options.h", "#include <vulkan/vulkan_raii.hpp>"),
     (source_problem, "scene/scene.h", "#  include <boost/optional.hpp>"),
-    (shader_problem, "lib/film.glsl", '#include "kernels/film_bindings.glsl"'),
+    (shader_problem, "lib/film.glsl", '#include "kernels/film/film_bindings.glsl"'),
     (shader_problem, "interop/rays.h", '#include "lib/film.glsl"'),
     (shader_problem, "interop/rays.h", "#include <vector>"),
+    (shader_problem, "kernels/film/film_main.glsl", '#include "kernels/trace/specular_chain.glsl"'),
+    (shader_problem, "kernels/raster/draw_scene.vert", '#include "kernels/planar/image_push.glsl"'),
+    (shader_problem, "kernels/raster/draw_scene.frag", '#include "kernels/hybrid/hybrid_light.glsl"'),
     (shader_problem, "lib/film.glsl", "layout(scalar, binding = BINDING_FILM) buffer Film { float x[]; };"),
 ]
 LEGAL = [
-    (source_problem, "renderers/ray_trace/ray_list.h", '#include "renderers/common/film.h"'),
-    (source_problem, "renderers/ray_trace/ray_list.cpp", '#include "kernels/trace_rays.h"'),
+    (source_problem, "renderers/scene/ray_list.h", '#include "renderers/scene/gpu_scene.h"'),
+    (source_problem, "renderers/scene/ray_list.cpp", '#include "kernels/trace_rays.h"'),
     (source_problem, "image_io/image_io.h", '#include "scene/texture.h"'),
-    (source_problem, "cli/main.cpp", '#include "renderers/reflection_map/reflectors.h"'),
+    (source_problem, "cli/main.cpp", '#include "renderers/reflection/reflectors/reflectors.h"'),
     (source_problem, "gpu/device.h", "#include <vulkan/vulkan_raii.hpp>"),
     (source_problem, "base/file.h", "#include <filesystem>"),
-    (shader_problem, "kernels/aov.comp", "layout(scalar, binding = BINDING_AOV) buffer Aov { AovPixel aov[]; };"),
+    (shader_problem, "kernels/trace/aov.comp", "layout(scalar, binding = BINDING_AOV) buffer Aov { AovPixel aov[]; };"),
+    (shader_problem, "kernels/planar/draw_image_hybrid.frag", '#include "kernels/hybrid/hybrid_light.glsl"'),
     (shader_problem, "lib/film.glsl", '#include "interop/frame.h"'),
 ]
+UPWARD = [Room("low", "", ["high"]), Room("high", "", [])]
 
 
 def prove_rules():
@@ -158,6 +162,8 @@ def prove_rules():
     false_alarms = [f"{path}: {line}" for problem, path, line in LEGAL if problem(path, line) is not None]
     if length_problem(LONGEST_FILE) is not None or length_problem(LONGEST_FILE + 1) is None:
         missed.append("file length")
+    if not upward_rooms(UPWARD):
+        missed.append("a room that names one above it")
     for text in missed:
         print(f"include_rules.py: does not find the planted fault in {text}")
     for text in false_alarms:
@@ -172,7 +178,7 @@ def source_files(folder):
 
 
 def check_tree(root):
-    violations = []
+    violations = [f"rooms.py: {problem}" for problem in upward_rooms(SOURCE_ROOMS) + upward_rooms(SHADER_ROOMS)]
     lines_seen = 0
     for top in SOURCE_FOLDERS:
         for path in source_files(root / top):

@@ -2,8 +2,8 @@
 // Renders one pixel through the installed library and compares it with its closed form: a Lambert surface of
 // albedo a under a directional light of E lux that arrives at angle t from the normal has the luminance a /
 // pi * E * cos t.
-#include "renderers/common/gpu_scene.h"
-#include "renderers/ray_trace/ray_tracer.h"
+#include "renderers/methods/ray_tracer.h"
+#include "renderers/scene/gpu_scene.h"
 
 #include "base/version.h"
 #include "gpu/device.h"

@@ -2,7 +2,7 @@
 // Calls a sampling function for given numbers in [0, 1)^2 and tells what it returns.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene_bindings.glsl"
+#include "kernels/scene/scene_bindings.glsl"
 #include "lib/bsdf.glsl"
 #include "lib/lights.glsl"
 #include "probe_interop.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/method.h"
+#include "renderers/methods/method.h"
 
 #include "base/error.h"
 

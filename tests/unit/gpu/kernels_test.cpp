@@ -71,7 +71,7 @@ std::uint32_t invocations_per_group(std::span<const std::uint32_t> spirv) {
 
 TEST(Kernels, AreAllKnownToTheTests) {
     std::set<std::string> files;
-    for (const auto& entry : fs::directory_iterator(kShaders / "kernels")) {
+    for (const auto& entry : fs::recursive_directory_iterator(kShaders / "kernels")) {
         const std::string stem = entry.path().stem().string();
         const std::string extension = entry.path().extension().string();
         if (extension == ".comp") files.insert(stem);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/capture_point.h"
+#include "renderers/reflection/reflectors/capture_point.h"
 
 #include "support/scenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/convex_region.h"
+#include "geometry/convex_region.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/distance_maps.h"
+#include "renderers/reflection/distances/distance_maps.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/common/frame_camera.h"
+#include "renderers/film/frame_camera.h"
 
-#include "renderers/common/film_kernel.h"
+#include "renderers/film/film_kernel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/given_proxy.h"
+#include "renderers/reflection/proxies/given_proxy.h"
 
 #include "base/error.h"
 

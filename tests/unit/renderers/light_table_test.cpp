@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/common/light_table.h"
+#include "renderers/scene/light_table.h"
 
 #include "base/check.h"
 

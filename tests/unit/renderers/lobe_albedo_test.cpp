@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/lobe_albedo.h"
+#include "renderers/reflection/glossy/lobe_albedo.h"
 
 #include <gtest/gtest.h>
 

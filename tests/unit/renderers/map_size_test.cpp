@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/map_size.h"
+#include "renderers/reflection/maps/map_size.h"
 
 #include "support/scenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/mirror_images.h"
+#include "renderers/reflection/planar/mirror_images.h"
 
 #include "support/scenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/plane_mirrors.h"
+#include "renderers/reflection/planar/plane_mirrors.h"
 
 #include "support/light_scenes.h"
 

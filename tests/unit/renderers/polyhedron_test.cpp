@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/polyhedron.h"
+#include "geometry/polyhedron.h"
 
 #include "base/error.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/probes.h"
+#include "renderers/reflection/reflectors/probes.h"
 
-#include "renderers/reflection_map/capture_point.h"
-#include "renderers/reflection_map/reflectors.h"
+#include "renderers/reflection/reflectors/capture_point.h"
+#include "renderers/reflection/reflectors/reflectors.h"
 #include "support/scenes.h"
 
 #include "geometry/reference_intersection.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/proxy.h"
+#include "renderers/reflection/proxies/proxy.h"
 
-#include "renderers/reflection_map/proxy_box.h"
+#include "renderers/reflection/proxies/proxy_box.h"
 #include "support/coded_walls.h"
 #include "support/light_scenes.h"
 

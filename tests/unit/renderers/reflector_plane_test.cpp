@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/reflector_plane.h"
+#include "renderers/reflection/reflectors/reflector_plane.h"
 
 #include "support/scenes.h"
 

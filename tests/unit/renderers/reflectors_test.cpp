@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/reflectors.h"
+#include "renderers/reflection/reflectors/reflectors.h"
 
 #include "support/scenes.h"
 

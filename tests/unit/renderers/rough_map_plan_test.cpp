@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/rough_map_plan.h"
+#include "renderers/reflection/glossy/rough_map_plan.h"
 
 #include "support/scenes.h"
 

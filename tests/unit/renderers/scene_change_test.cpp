@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/common/scene_change.h"
+#include "renderers/scene/scene_change.h"
 
 #include "support/light_scenes.h"
 #include "support/scenes.h"

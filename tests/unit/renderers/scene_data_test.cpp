@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/common/scene_data.h"
+#include "renderers/scene/scene_data.h"
 
 #include "support/scenes.h"
 

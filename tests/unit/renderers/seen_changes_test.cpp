@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/seen_changes.h"
+#include "renderers/reflection/maps/seen_changes.h"
 
-#include "renderers/reflection_map/polyhedron.h"
 #include "support/scenes.h"
+
+#include "geometry/polyhedron.h"
 
 #include "interop/reflection.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/reflection_map/self_horizon.h"
+#include "renderers/reflection/reflectors/self_horizon.h"
 
 #include "support/scenes.h"
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// How wrong the look-up of a reflector can be, instead of what it shows: parallax, interpolation and texel in radians, and
+// all of them in pixels.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "kernels/scene/scene_bindings.glsl"
+#include "kernels/raster/view_push.glsl"
+#include "kernels/raster/drawn_light.glsl"
+#include "kernels/maps/map_lookup.glsl"
+#include "kernels/distances/search_bindings.glsl"
+#include "kernels/hybrid/drawn_prediction.glsl"
+
+void main() {
+    vec3 wo = -normalize_any_scale(drawn_from_eye);
+    Surface surface = drawn_surface();
+    if (!is_specular(surface)) {
+        drawn = vec4(-1.0);
+        return;
+    }
+    DrawnReflection reflection = looked_up_reflection_of(surface, wo);
+    vec3 wanted = wanted_direction_of(surface, reflection);
+    vec3 looked_up = looked_up_direction_of(surface, reflection, wanted);
+    Prediction prediction = predict(reflection.ray, reflection.interval, reflection.footprint, wanted, looked_up,
+                                    texel_angle(reflection.probe, looked_up));
+    drawn = vec4(prediction.parallax, prediction.interpolation, prediction.texel, prediction.pixels);
+}

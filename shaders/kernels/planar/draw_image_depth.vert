@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The corners of listed triangles, and how far they are in front of the mirror that they are seen in.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "kernels/scene/scene_bindings.glsl"
+#include "interop/raster.h"
+#include "kernels/raster/drawn_list.glsl"
+#include "kernels/planar/image_push.glsl"
+#include "kernels/raster/drawn_projection.glsl"
+
+layout(location = 0) out float in_front;
+
+void main() {
+    vec3 corner = listed_corner();
+    in_front = dot(image.normal, corner) - image.offset;
+    gl_Position = project(corner - push.camera.origin);
+}

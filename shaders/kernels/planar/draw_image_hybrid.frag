@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a pixel of an image shows of a curved mirror: what its maps hold where that is predicted to be less pixels off its
+// place than the tolerance, and what a ray meets elsewhere.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "kernels/scene/scene_bindings.glsl"
+#include "interop/frame.h"
+#include "kernels/planar/image_push.glsl"
+#include "kernels/planar/image_pixel.glsl"
+#include "kernels/raster/drawn_light.glsl"
+#include "kernels/maps/map_lookup.glsl"
+#include "kernels/distances/search_bindings.glsl"
+#include "kernels/hybrid/drawn_prediction.glsl"
+#include "kernels/hybrid/look_up_by_place.glsl"
+#include "kernels/hybrid/hybrid_light.glsl"
+
+layout(location = 1) out vec4 drawn_throughput;
+
+void main() {
+    if (!waits_for_this_image()) discard;
+    vec3 wo = -normalize_any_scale(drawn_from_eye);
+    Surface surface;
+    vec3 radiance = drawn_light(wo, surface);
+    float state = complete_after(image.reflections);
+    if (is_specular(surface)) radiance += hybrid_light(surface, wo, image.reflections, state);
+    drawn = with_light(radiance, state);
+    drawn_throughput = vec4(0.0);
+}

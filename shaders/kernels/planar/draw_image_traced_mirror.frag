@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a pixel of an image shows of a plane mirror whose own image is not drawn: the mirror's own light, and what a ray meets.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "kernels/scene/scene_bindings.glsl"
+#include "interop/frame.h"
+#include "kernels/planar/image_push.glsl"
+#include "kernels/planar/image_pixel.glsl"
+#include "kernels/raster/drawn_light.glsl"
+#include "kernels/hybrid/traced_reflection.glsl"
+
+layout(location = 1) out vec4 drawn_throughput;
+
+void main() {
+    if (!waits_for_this_image()) discard;
+    vec3 wo = -normalize_any_scale(drawn_from_eye);
+    Surface surface;
+    vec3 radiance = drawn_light(wo, surface);
+    float state = complete_after(image.reflections);
+    if (is_specular(surface)) {
+        uint rays;
+        vec3 reflected = traced_radiance(surface, wo, image.reflections, rays);
+        radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) * reflected;
+        state = traced_off_plane(image.reflections, rays);
+    }
+    drawn = with_light(radiance, state);
+    drawn_throughput = vec4(0.0);
+}

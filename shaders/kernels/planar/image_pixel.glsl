@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// A pixel of the image that is drawn: whether it waits for this image, what it shows so far, and what it will show.
+// The including kernel declares the push constants (kernels/planar/image_push.glsl).
+#include "lib/image_state.glsl"
+
+layout(scalar, binding = BINDING_DRAWN) readonly restrict buffer Drawn { vec4 drawn_before[]; };
+layout(scalar, binding = BINDING_THROUGHPUT) readonly restrict buffer Throughputs { vec4 throughput_before[]; };
+
+uint pixel_index() {
+    return uint(gl_FragCoord.y) * image.width + uint(gl_FragCoord.x);
+}
+
+bool waits_for_this_image() {
+    return image.number == IMAGE_OF_EYE || drawn_before[pixel_index()].a == waiting_for(image.number);
+}
+
+/// What a pixel shows with some more light, and the state it is in then.
+vec4 with_light(vec3 radiance, float state) {
+    if (image.number == IMAGE_OF_EYE) return vec4(radiance, state);
+    uint pixel = pixel_index();
+    return vec4(drawn_before[pixel].rgb + throughput_before[pixel].rgb * radiance, state);
+}
+
+/// Share of what is seen next that arrives at the eye.
+vec3 with_reflectance(vec3 reflectance) {
+    return image.number == IMAGE_OF_EYE ? reflectance : throughput_before[pixel_index()].rgb * reflectance;
+}

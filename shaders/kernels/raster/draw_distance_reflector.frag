@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// A reflector that shows what its maps hold where the mirrored ray meets the distances kept beside them.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "kernels/scene/scene_bindings.glsl"
+#include "kernels/raster/view_push.glsl"
+#include "kernels/raster/drawn_light.glsl"
+#include "kernels/maps/map_lookup.glsl"
+#include "kernels/distances/search_bindings.glsl"
+
+void main() {
+    vec3 wo = -normalize_any_scale(drawn_from_eye);
+    Surface surface;
+    vec3 radiance = drawn_light(wo, surface);
+    float found = DRAWN_PLAIN;
+    if (is_specular(surface)) {
+        found = DRAWN_LOOKED_UP;
+        ProbeHit hit = search_probes(drawn_ids.w, surface.position, mirror_direction(surface, wo));
+        vec3 direction = isinf(hit.interval.guess) ? hit.ray.direction : ray_place(hit.ray, hit.interval.guess);
+        radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
+                    polygon_map(hit.probe, direction);
+    }
+    drawn = vec4(radiance, found);
+}

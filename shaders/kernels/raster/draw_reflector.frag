@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a pixel of a reflector shows.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "kernels/scene/scene_bindings.glsl"
+#include "kernels/raster/view_push.glsl"
+#include "kernels/raster/drawn_light.glsl"
+#include "kernels/maps/map_lookup.glsl"
+
+void main() {
+    vec3 wo = -normalize_any_scale(drawn_from_eye);
+    Surface surface;
+    vec3 radiance = drawn_light(wo, surface);
+    float found = DRAWN_PLAIN;
+    if (is_specular(surface)) {
+        found = DRAWN_LOOKED_UP;
+        radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
+                    mapped_radiance(surface, mirror_direction(surface, wo));
+    }
+    drawn = vec4(radiance, found);
+}

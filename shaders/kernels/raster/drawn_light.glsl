@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// The surface that a fragment shows and the light it sends out, its mirror image excepted: diffuse light from the cache,
+// what rough lobes reflect from maps, lights without extent excepted, which no map shows.
+// The including kernel declares the push constants, with a RasterPush push.
+#include "kernels/light/light_cache_bindings.glsl"
+#include "kernels/raster/drawn_surface.glsl"
+#include "interop/raster.h"
+#include "lib/direct_light.glsl"
+#include "kernels/glossy/rough_lookup.glsl"
+
+layout(early_fragment_tests) in;
+
+layout(location = 0) out vec4 drawn;
+
+MaterialInfo drawn_material() {
+    TextureSlotInfo none = TextureSlotInfo(NONE, 0u);
+    MaterialInfo material = MaterialInfo(drawn_colour.rgb, drawn_colour.a, drawn_emissive, drawn_lobe.x, drawn_lobe.y,
+                                         drawn_lobe.z, drawn_ids.z, none, none, none);
+    if (HAS_TEXTURES) {
+        material.base_colour_texture = materials[drawn_ids.y].base_colour_texture;
+        material.metallic_roughness_texture = materials[drawn_ids.y].metallic_roughness_texture;
+        material.emissive_texture = materials[drawn_ids.y].emissive_texture;
+    }
+    return material;
+}
+
+/// The surface drawn, without what only rays that leave it need.
+Surface drawn_surface() {
+    Surface surface;
+    surface.position = push.camera.origin + drawn_from_eye;
+    surface.error_bound = vec3(0.0);
+    surface.triangle = drawn_ids.x;
+    surface.material = drawn_ids.y;
+    surface.instance = NONE;
+    surface.texcoord = drawn_place.zw;
+    shade_surface(surface, drawn_ng, drawn_normal, drawn_material(), drawn_from_eye);
+    return surface;
+}
+
+/// What the surface's diffuse part would send out if it were white, before anything is lost to a specular lobe.
+vec3 drawn_diffuse_light(Surface surface) {
+    LightCacheTriangle lattice = LightCacheTriangle(drawn_cache.x, drawn_cache.y, drawn_cache.z, drawn_cache.w);
+    return cached_light(lattice, drawn_place.xy, dot(surface.ng, drawn_ng) > 0.0);
+}
+
+/// The rough lobe's highlights of lights without extent. One is taken by what it would bring, so that noise is only where
+/// some are in shadow and others not.
+vec3 punctual_highlights(Surface surface, vec3 wo) {
+    uint key = sampler_key(uvec2(gl_FragCoord.xy), push.seed, push.sample_index & 1u);
+    float remaining = sample_2d(key, push.sample_index >> 1, 1u).x;
+    Candidate taken;
+    float taken_weight = 0.0;
+    float sum = 0.0;
+    // After the environment, and before lights with extent.
+    for (uint i = HAS_ENVIRONMENT ? 1u : 0u; i < LIGHT_COUNT && lights[i].type != LIGHT_TRIANGLE; ++i) {
+        LightSample s = sample_punctual_light(lights[i], surface);
+        if (!is_above(surface, s.direction)) continue;
+        vec3 value = glossy_lobe(surface, wo, s.direction) * s.irradiance *
+                     (lights[i].probability * dot(surface.ns, s.direction));
+        float weight = value.x + value.y + value.z;
+        if (!(weight > 0.0)) continue;
+        sum += weight;
+        float probability = weight / sum;
+        if (remaining < probability) {
+            taken = Candidate(s, value);
+            taken_weight = weight;
+            remaining /= probability;
+        } else {
+            remaining = (remaining - probability) / (1.0 - probability);
+        }
+    }
+    if (taken_weight == 0.0 || !is_light_visible(surface, taken.light, NONE)) return vec3(0.0);
+    return taken.value * (sum / taken_weight);
+}
+
+vec3 drawn_glossy_light(Surface surface, vec3 wo) {
+    LobeAlbedo albedo = lobe_albedo(surface, dot(surface.ns, wo));
+    vec3 normal = specular_reflectance(surface, 1.0);
+    vec3 grazing = specular_reflectance(surface, 0.0);
+    vec3 radiance = (normal * albedo.constant + grazing * albedo.schlick) * rough_radiance(surface, wo);
+    if (surface.metallic < 1.0) {
+        float kept = 1.0 - mix(surface.f0, surface.f90, albedo.lost);
+        radiance += surface.base_colour * ((1.0 - surface.metallic) * kept) * drawn_diffuse_light(surface);
+    }
+    if (HAS_PUNCTUAL_LIGHTS) radiance += punctual_highlights(surface, wo);
+    return radiance;
+}
+
+/// @param wo unit, to the eye
+vec3 drawn_light(vec3 wo, out Surface surface) {
+    if (HAS_GLOSSY && HAS_PUNCTUAL_LIGHTS) {
+        // Its shadow rays leave the surface from where rays would hit it.
+        surface = make_surface(Hit(0.0, drawn_ids.x, drawn_place.x, drawn_place.y), -wo);
+    } else {
+        surface = drawn_surface();
+    }
+    if (HAS_GLOSSY && is_glossy(surface)) return surface.emission + drawn_glossy_light(surface, wo);
+    return surface.emission + diffuse_reflectance(surface, abs(dot(surface.ns, wo))) * drawn_diffuse_light(surface);
+}

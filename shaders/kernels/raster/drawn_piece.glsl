@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sets what a vertex of a piece tells: homogeneous coordinates on one face of the polyhedron of maps.
+
+#include "kernels/reflectors/polygon_probe.glsl"
+
+void set_drawn_piece(ReflectorTriangle polygon, uint face, PieceCorner corner) {
+    set_drawn_triangle(polygon.triangle, corner.place);
+    drawn_ids.w = polygon_probe(polygon) * FACE_COUNT + face;
+    drawn_reflection = map_position(map_faces[face], corner.reflection);
+    drawn_from_eye = corner.position - push.camera.origin;
+    gl_Position = project(drawn_from_eye);
+}

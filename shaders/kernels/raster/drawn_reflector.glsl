@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The vertices of whole polygons of reflectors.
+#include "kernels/reflectors/polygon_probe.glsl"
+
+layout(constant_id = SPEC_MAP_KIND) const uint MAP_KIND = MAP_KIND_POLYGON;
+
+layout(scalar, binding = BINDING_DRAWN_POLYGONS) readonly restrict buffer DrawnPolygons { uint drawn_polygons[]; };
+
+void set_drawn_reflector() {
+    ReflectorTriangle polygon = reflector_triangles[drawn_polygons[uint(gl_VertexIndex) / 3u]];
+    uint corner = uint(gl_VertexIndex) % 3u;
+    uint vertex = polygon.vertices[corner];
+    set_drawn_triangle(polygon.triangle, polygon.places[corner]);
+    bool found_per_vertex = MAP_KIND == MAP_KIND_POLYGON || MAP_KIND == MAP_KIND_SPHERE;
+    drawn_ids.w = found_per_vertex ? polygon_probe(polygon) : polygon.reflector;
+    VertexReflection found = vertex_reflections[vertex];
+    drawn_reflection = MAP_KIND == MAP_KIND_SPHERE ? vec3(found.sphere_map, 0.0) : found.direction;
+    drawn_from_eye = reflector_vertices[vertex].position - push.camera.origin;
+    gl_Position = project(drawn_from_eye);
+}

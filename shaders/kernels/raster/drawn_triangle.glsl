@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sets what a vertex tells about the triangle of the scene that it lies on.
+#define DRAWN_VERTEX
+#include "kernels/raster/drawn_surface.glsl"
+
+layout(scalar, binding = BINDING_LIGHT_CACHE_TRIANGLES) readonly restrict buffer CacheTriangles {
+    LightCacheTriangle cache_triangles[];
+};
+
+/// @param b barycentric coordinates b1, b2 on it
+void set_drawn_triangle(uint triangle, vec2 b) {
+    TriangleInfo info = triangle_infos[triangle];
+    drawn_place = vec4(b, HAS_TEXTURES ? interpolated_texcoord(info.vertices, b.x, b.y) : vec2(0.0));
+    drawn_normal = interpolated_normal(info.vertices, b.x, b.y);
+    drawn_ng = normalize_any_scale(triangle_cross(bvh_triangles[triangle]));
+    MaterialInfo material = materials[info.material];
+    drawn_colour = vec4(material.base_colour, material.metallic);
+    drawn_emissive = material.emissive;
+    drawn_lobe = vec3(material.roughness, material.dielectric_f0, material.dielectric_f90);
+    LightCacheTriangle lattice = cache_triangles[triangle];
+    drawn_cache = uvec4(lattice.first_point, lattice.intervals, lattice.rows_per_interval, lattice.apex);
+    drawn_ids = uvec4(triangle, info.material, material.double_sided, NONE);
+    drawn_reflection = vec3(0.0);
+}

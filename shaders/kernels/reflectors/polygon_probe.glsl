@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The probe of a whole polygon, for what is found per vertex: its pieces must not look different maps up.
+#include "kernels/maps/probe_bindings.glsl"
+
+uint polygon_probe(ReflectorTriangle polygon) {
+    if (MOST_PROBES == 1u) return polygon.reflector;
+    vec3 position = vec3(0.0);
+    vec3 direction = vec3(0.0);
+    for (uint corner = 0u; corner < 3u; ++corner) {
+        position += reflector_vertices[polygon.vertices[corner]].position / 3.0;
+        direction += vertex_reflections[polygon.vertices[corner]].direction;
+    }
+    return nearest_probe(polygon.reflector, position, direction);
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace utsuri {
+
+/// What every method is told.
+struct RenderSettings {
+    std::uint32_t width = 512;
+    std::uint32_t height = 384;
+    std::uint32_t seed = 0;
+    std::uint32_t specular_depth = 8;  ///< most specular reflections followed
+};
+
+}  // namespace utsuri

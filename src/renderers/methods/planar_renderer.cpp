@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/methods/planar_renderer.h"
+
+#include "renderers/film/frame_camera.h"
+#include "renderers/reflection/raster/picture_pixels.h"
+#include "renderers/scene/scene_triangles.h"
+
+#include "geometry/reference_intersection.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace utsuri {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+/// Triangles that are drawn in the time of one ray: an image whose window is smaller than its share of the
+/// scene's triangles costs more than rays through the window do. On lavapipe, where a traced pixel of the
+/// office takes 3.3 us and a triangle, its depth first, 0.4 us; a rough guess is good enough, as both are
+/// right.
+constexpr std::uint64_t kTrianglesPerRay = 8;
+
+/// Instances that take maps: those with a triangle that is reflective and in no plane.
+std::vector<std::uint32_t> curved_instances(const SceneData& data, const PlaneMirrors& mirrors) {
+    std::vector<std::uint32_t> instances;
+    for (const std::uint32_t triangle : mirrors.others)
+        instances.push_back(data.triangle_infos[triangle].instance);
+    std::sort(instances.begin(), instances.end());
+    instances.erase(std::unique(instances.begin(), instances.end()), instances.end());
+    return instances;
+}
+
+/// Whether the eye sees a plane mirror at a pixel, by the state that lib/image_state.glsl describes.
+bool shows_plane_mirror(float state) {
+    return state < 0.0f || std::fmod(state, interop::DRAWN_RAY) >= interop::DRAWN_LOOKED_UP + 0.5f;
+}
+
+/// Whether it sees the mirror's image, whatever that shows.
+bool shows_image(float state) {
+    return state < 0.0f || std::fmod(state, interop::DRAWN_RAY) >= interop::DRAWN_LOOKED_UP + 1.0f;
+}
+
+/// How far the rays go that a plane mirror reflects from the centre of a pixel, metres; infinity where they
+/// meet nothing.
+float mirrored_distance(const SceneData& data, const interop::CameraInfo& camera, const glm::vec2& position) {
+    const glm::dvec3 eye = camera.origin;
+    const glm::dvec3 direction = camera.forward + position.x * camera.right + position.y * camera.up;
+    const double far = std::numeric_limits<double>::infinity();
+    const auto mirror = closest_hit_reference(data.bvh, eye, direction, far);
+    if (!mirror) return kInfinity;
+    const glm::dvec3 normal = glm::normalize(doubled_area(corners_of(data, mirror->triangle)));
+    const auto hit = closest_hit_reference(
+        data.bvh, eye + mirror->t * direction, glm::normalize(glm::reflect(direction, normal)), far,
+        [&](std::uint32_t triangle) { return triangle != mirror->triangle; });
+    return hit ? static_cast<float>(hit->t) : kInfinity;
+}
+
+}  // namespace
+
+PlanarRenderer::PlanarRenderer(Device& device, const SceneData& data, const GpuScene& scene,
+                               FilledLight& light, const Camera& camera, MapKind kind,
+                               const RenderSettings& settings, const MapSettings& map_settings)
+    : device_(device),
+      data_(data),
+      scene_(scene),
+      camera_(camera),
+      kind_(kind),
+      settings_(settings),
+      map_settings_(map_settings),
+      light_(light) {
+    make_drawers(nullptr);
+    look_from(camera);
+}
+
+void PlanarRenderer::make_drawers(PreparedMaps* former) {
+    mirrors_ = find_plane_mirrors(data_);
+    prepared_ = std::make_unique<PreparedMaps>(device_, data_, scene_, light_, camera_, kind_, settings_,
+                                               map_settings_, curved_instances(data_, mirrors_), former);
+    const ReflectionMaps& maps = prepared_->maps();
+    drawer_ = std::make_unique<PlanarDrawer>(device_, data_, mirrors_, maps.reflectors(), kind_, maps.faces(),
+                                             prepared_->specialization(), prepared_->bindings(),
+                                             settings_.width, settings_.height);
+}
+
+ImageSettings PlanarRenderer::image_settings() const {
+    return {settings_.seed, std::min(settings_.specular_depth, scene_.specular_depth()),
+            static_cast<float>(map_settings_.tolerance.most)};
+}
+
+void PlanarRenderer::warm_up() {
+    const auto start = std::chrono::steady_clock::now();
+    drawer_->warm_up();
+    statistics_.compile_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void PlanarRenderer::draw_at(const glm::vec2& jitter) {
+    drawer_->draw_frame(images_, image_settings(), jitter);
+}
+
+void PlanarRenderer::prepare(Progress& progress) {
+    warm_up();
+    prepared_->prepare(
+        camera_, [&](const glm::vec2& jitter) { draw_at(jitter); }, statistics_, progress);
+}
+
+void PlanarRenderer::follow(const SceneChange& change, Progress& progress) {
+    restart_statistics();
+    if (change.empty()) return;
+    // What draws reads buffers of the maps.
+    prediction_drawer_.reset();
+    curved_.reset();
+    drawer_.reset();
+    const std::unique_ptr<PreparedMaps> former = std::move(prepared_);
+    make_drawers(former.get());
+    look_from(camera_);
+    warm_up();
+    prepared_->follow(
+        change, camera_, [&](const glm::vec2& jitter) { draw_at(jitter); }, statistics_, progress);
+}
+
+void PlanarRenderer::look_from(const Camera& camera) {
+    camera_ = camera;
+    Camera in_scene = camera;
+    in_scene.position -= data_.origin;
+    const std::uint64_t least_window =
+        kind_ == MapKind::hybrid ? data_.bvh.triangles.size() / kTrianglesPerRay : 0;
+    images_ = plan_mirror_images(mirrors_.mirrors, in_scene, settings_.width, settings_.height,
+                                 static_cast<double>(drawer_->near_plane()), settings_.specular_depth,
+                                 least_window);
+}
+
+bool PlanarRenderer::draw_frame() {
+    const Progress silent;
+    do {
+        draw_at({0.5f, 0.5f});
+    } while (prepared_->complete(statistics_, silent));
+    return true;
+}
+
+FrameCounts PlanarRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
+    return drawer_->add_samples(film, images_, image_settings(), count, progress,
+                                [&] { return prepared_->complete(statistics_, progress); });
+}
+
+PredictionDrawer& PlanarRenderer::prediction_drawer() {
+    if (!prediction_drawer_) {
+        const ReflectionMaps& maps = prepared_->maps();
+        curved_.emplace(device_, data_, maps.reflectors(), kind_, maps.faces(), std::nullopt,
+                        map_settings_.tolerance.of, prepared_->specialization(), prepared_->bindings());
+        prediction_drawer_.emplace(device_, data_, kind_, maps.faces().size(), prepared_->specialization(),
+                                   prepared_->bindings(), *curved_, settings_.width, settings_.height);
+    }
+    return *prediction_drawer_;
+}
+
+template <typename Errors, typename Tell>
+std::vector<Errors> PlanarRenderer::find_errors(const Errors& of_image, const Errors& without_image,
+                                                Tell tell) {
+    std::vector<Errors> errors(std::size_t{settings_.width} * settings_.height, {-1.0f, -1.0f, -1.0f, -1.0f});
+    if (prepared_->has_distances()) {
+        errors = tell(prediction_drawer(),
+                      make_camera_info(camera_, data_.origin, settings_.width, settings_.height));
+    }
+    draw_frame();
+    const std::vector<glm::vec4> pixels = drawer_->pixels();
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (shows_image(pixels[i].w)) {
+            errors[i] = of_image;
+        } else if (shows_plane_mirror(pixels[i].w)) {
+            errors[i] = without_image;
+        } else if (pixels[i].w == interop::DRAWN_PLAIN) {
+            errors[i] = {-1.0f, -1.0f, -1.0f, -1.0f};  // what is curved is behind it
+        }
+    }
+    return errors;
+}
+
+std::vector<PredictedError> PlanarRenderer::predict_errors() {
+    if (kind_ != MapKind::hybrid) return {};
+    const auto tolerance = static_cast<float>(map_settings_.tolerance.most);
+    return find_errors<PredictedError>({0.0f, 0.0f, 0.0f, 0.0f},
+                                       {std::numbers::pi_v<float>, 0.0f, 0.0f, kInfinity},
+                                       [&](PredictionDrawer& drawer, const interop::CameraInfo& camera) {
+                                           return drawer.predict(camera, tolerance);
+                                       });
+}
+
+std::vector<MeasuredError> PlanarRenderer::measure_errors() {
+    if (kind_ != MapKind::hybrid) return {};
+    const auto tolerance = static_cast<float>(map_settings_.tolerance.most);
+    constexpr MeasuredError kOfPlaneMirror = {0.0f, 0.0f, 0.0f, 1.0f};  // distances follow
+    std::vector<MeasuredError> errors = find_errors<MeasuredError>(
+        kOfPlaneMirror, kOfPlaneMirror, [&](PredictionDrawer& drawer, const interop::CameraInfo& camera) {
+            return drawer.measure(camera, tolerance);
+        });
+    const interop::CameraInfo camera =
+        make_camera_info(camera_, data_.origin, settings_.width, settings_.height);
+    const std::vector<glm::vec4> pixels = drawer_->pixels();
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (!shows_plane_mirror(pixels[i].w)) continue;
+        const glm::vec2 centre(static_cast<float>(i % settings_.width) + 0.5f,
+                               static_cast<float>(i / settings_.width) + 0.5f);
+        const glm::vec2 size(settings_.width, settings_.height);
+        errors[i].distance =
+            mirrored_distance(data_, camera, glm::vec2(2, -2) * centre / size + glm::vec2(-1, 1));
+    }
+    return errors;
+}
+
+std::vector<float> PlanarRenderer::traced_pixels() {
+    if (kind_ != MapKind::hybrid) return {};
+    draw_frame();
+    return traced_pixels_of(drawer_->pixels());
+}
+
+}  // namespace utsuri

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/methods/prepared_maps.h"
+
+#include "renderers/light/light_reach.h"
+#include "renderers/reflection/raster/reflector_drawer.h"
+
+#include "interop/specialization.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace utsuri {
+namespace {
+
+/// Whether it is told how bright reflections can be.
+bool bounds_radiance(MapKind kind, const MapSettings& settings) {
+    return kind == MapKind::hybrid && settings.tolerance.of == Tolerance::Of::radiance;
+}
+
+std::uint32_t distance_size(const Device& device, const ReflectionMaps& maps) {
+    return DistanceMaps::size_for(maps.largest_size(), maps.infos().size(),
+                                  device.summary().storage_range_bytes);
+}
+
+std::optional<DistanceMaps> make_distances(Device& device, const SceneData& data, const ReflectionMaps& maps,
+                                           MapKind kind, const MapSettings& settings) {
+    if (maps.infos().empty() || (!keeps_distances(kind) && !settings.predicts_errors)) return std::nullopt;
+    return std::make_optional<DistanceMaps>(
+        device, data, maps.instances(), maps.infos(), distance_size(device, maps),
+        bounds_radiance(kind, settings) ? Tolerance::Of::radiance : Tolerance::Of::place);
+}
+
+std::optional<RadianceBounds> make_radiance_bounds(Device& device, const ReflectionMaps& maps, MapKind kind,
+                                                   const MapSettings& settings) {
+    if (maps.infos().empty() || !bounds_radiance(kind, settings)) return std::nullopt;
+    return std::make_optional<RadianceBounds>(device, maps.instances(), maps.infos(),
+                                              distance_size(device, maps));
+}
+
+}  // namespace
+
+RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps) {
+    // Of lobes only the sharpest would see finer maps than that.
+    const std::uint32_t size = maps.fitted ? std::min(maps.size, MapSettings().size) : maps.size;
+    // By distances, lobes are closer from one point that sees what they reflect than blended with others that
+    // may not: rough_probes_test.cpp.
+    const std::uint32_t most_probes = keeps_distances(kind) ? 1 : maps.most_probes;
+    return {size, maps.samples, maps.capture_point, most_probes, kind, maps.proxy};
+}
+
+PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
+                           const Camera& eye, MapKind kind, const RenderSettings& settings,
+                           const MapSettings& map_settings, const std::vector<std::uint32_t>& instances,
+                           PreparedMaps* former)
+    : data_(data),
+      scene_(scene),
+      filled_light_(light),
+      settings_(settings),
+      kind_(kind),
+      maps_(device, data, kind, map_settings, {eye, settings.width, settings.height}, instances),
+      distances_(make_distances(device, data, maps_, kind, map_settings)),
+      radiance_bounds_(make_radiance_bounds(device, maps_, kind, map_settings)),
+      rough_maps_(device, data, rough_map_settings(kind, map_settings)),
+      light_cache_(device, data, light.settings),
+      capture_(device, scene, light_cache_, maps_, settings, map_settings) {
+    if (former == nullptr) return;
+    maps_.take_over(former->maps_);
+    if (distances_ && former->distances_) distances_->take_over(*former->distances_);
+    if (radiance_bounds_ && former->radiance_bounds_) radiance_bounds_->take_over(*former->radiance_bounds_);
+}
+
+void PreparedMaps::prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
+                           RenderStatistics& statistics, Progress& progress) {
+    light_cache_.fill(scene_, settings_.seed, all_space(), filled_light_, progress);
+    count_light(statistics);
+    capture(eye, draw, statistics, progress);
+}
+
+void PreparedMaps::follow(const SceneChange& change, const Camera& eye,
+                          const std::function<void(const glm::vec2& jitter)>& draw,
+                          RenderStatistics& statistics, Progress& progress) {
+    const bool lit_otherwise = change.geometry || change.lights;
+    const ChangedSpace changed = change.lights ? all_space() : changed_space(data_, change);
+    light_cache_.fill(scene_, settings_.seed, changed, filled_light_, progress);
+    if (lit_otherwise) count_light(statistics);
+    const SeenChanges changes(data_, change,
+                              lit_otherwise ? filled_light_.changed : std::vector<std::uint32_t>());
+    maps_.forget(changes);
+    if (distances_) distances_->forget(changes);
+    if (radiance_bounds_) radiance_bounds_->forget(changes);
+    capture(eye, draw, statistics, progress);
+}
+
+void PreparedMaps::count_light(RenderStatistics& statistics) const {
+    statistics.prepare_seconds += filled_light_.seconds;
+    statistics.compile_seconds += filled_light_.compile_seconds;
+    accumulate(statistics.prepare_counts, filled_light_.counts);
+}
+
+void PreparedMaps::capture(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
+                           RenderStatistics& statistics, Progress& progress) {
+    FrameCounts& counts = statistics.prepare_counts;
+    const auto start = std::chrono::steady_clock::now();
+    double compile_seconds = 0.0;
+    accumulate(counts, rough_maps_.capture(scene_, light_cache_, settings_, compile_seconds, progress));
+    if (distances_) accumulate(counts, distances_->capture(scene_, compile_seconds, progress));
+    if (radiance_bounds_)
+        accumulate(counts, radiance_bounds_->capture(scene_, light_cache_, compile_seconds, progress));
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    statistics.prepare_seconds += seconds - compile_seconds;
+    statistics.compile_seconds += compile_seconds;
+    capture_.prepare(eye, draw, statistics, progress);
+}
+
+Bindings PreparedMaps::bindings() const {
+    Bindings bindings = scene_.bindings();
+    bindings.merge(light_cache_.bindings());
+    bindings.merge(maps_.bindings());
+    bindings.merge(rough_maps_.bindings());
+    if (distances_) bindings.merge(distances_->bindings());
+    if (radiance_bounds_) bindings.merge(radiance_bounds_->bindings());
+    return bindings;
+}
+
+Specialization PreparedMaps::specialization() const {
+    Specialization specialization = maps_.specialise(scene_.specialization());
+    const bool has_planes = !maps_.proxy_planes().empty() || !rough_maps_.proxy_planes().empty();
+    specialization[interop::SPEC_HAS_PROXY_PLANES] = has_planes ? 1 : 0;
+    specialization[interop::SPEC_MAP_KIND] = whole_map_kind(kind_);
+    specialization[interop::SPEC_MOST_ROUGH_PROBES] = rough_maps_.plan().most_probes();
+    if (distances_) specialization[interop::SPEC_DISTANCE_SIZE] = distances_->size();
+    return specialization;
+}
+
+}  // namespace utsuri

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/film/render_settings.h"
+#include "renderers/film/render_statistics.h"
+#include "renderers/light/light_cache.h"
+#include "renderers/reflection/distances/distance_maps.h"
+#include "renderers/reflection/distances/radiance_bounds.h"
+#include "renderers/reflection/glossy/rough_maps.h"
+#include "renderers/reflection/maps/map_capture.h"
+#include "renderers/reflection/maps/reflection_maps.h"
+
+#include <functional>
+#include <optional>
+
+namespace utsuri {
+
+/// What rough lobes reflect beside maps of a kind.
+RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps);
+
+/// Reflection maps of one kind and all that drawing looks up beside them: light on surfaces, maps of rough
+/// lobes, and where the kind needs them distances and bounds of radiance.
+class PreparedMaps {
+  public:
+    /// `device`, `data`, `scene` and `light` must outlive this.
+    /// @param light is filled by the first that needs it; its cost counts as if it had been filled here
+    /// @param eye the first one
+    /// @param instances that get reflection maps, ascending
+    /// @param former of the scene before it changed: what they are and follow() need not make anew is taken
+    /// over from them
+    PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
+                 const Camera& eye, MapKind kind, const RenderSettings& settings,
+                 const MapSettings& map_settings, const std::vector<std::uint32_t>& instances,
+                 PreparedMaps* former = nullptr);
+    PreparedMaps(const PreparedMaps&) = delete;
+    PreparedMaps& operator=(const PreparedMaps&) = delete;
+
+    /// Fills and captures what drawing looks up, of reflection maps those that the first view does, and adds
+    /// what that took to the statistics.
+    /// @param draw draws the view with its samples at a place in their pixels, in [0, 1)^2
+    /// @throws Interrupted if progress says so
+    void prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
+                 RenderStatistics& statistics, Progress& progress);
+    /// The same after a change of the scene that these were made with `former` maps for: makes those anew
+    /// that see something of the change, and of reflection maps those that the present view looks up.
+    void follow(const SceneChange& change, const Camera& eye,
+                const std::function<void(const glm::vec2& jitter)>& draw, RenderStatistics& statistics,
+                Progress& progress);
+    /// See MapCapture::complete().
+    bool complete(RenderStatistics& statistics, const Progress& progress) {
+        return capture_.complete(statistics, progress);
+    }
+
+    /// Of the scene and of all that is looked up.
+    [[nodiscard]] Bindings bindings() const;
+    [[nodiscard]] Specialization specialization() const;
+
+    [[nodiscard]] const ReflectionMaps& maps() const { return maps_; }
+    [[nodiscard]] const RoughMaps& rough_maps() const { return rough_maps_; }
+    [[nodiscard]] bool has_distances() const { return distances_.has_value(); }
+
+  private:
+    void count_light(RenderStatistics& statistics) const;
+    /// Captures what is not there yet.
+    void capture(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
+                 RenderStatistics& statistics, Progress& progress);
+
+    const SceneData& data_;
+    const GpuScene& scene_;
+    FilledLight& filled_light_;
+    RenderSettings settings_;
+    MapKind kind_;
+    ReflectionMaps maps_;
+    std::optional<DistanceMaps> distances_;
+    std::optional<RadianceBounds> radiance_bounds_;
+    RoughMaps rough_maps_;
+    LightCache light_cache_;
+    MapCapture capture_;
+};
+
+}  // namespace utsuri

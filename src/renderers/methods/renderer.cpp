@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/methods/renderer.h"
+
+#include <chrono>
+
+namespace utsuri {
+
+void Renderer::restart_statistics() {
+    RenderStatistics statistics;
+    statistics.maps = statistics_.maps;
+    statistics.captured_maps = statistics_.captured_maps;
+    statistics_ = statistics;
+}
+
+void Renderer::add_samples(Film& film, std::uint32_t count, Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    accumulate(statistics_.counts, render(film, count, progress));
+    statistics_.frame_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace utsuri

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection/distances/radiance_bounds.h"
+
+#include "renderers/reflection/distances/block_bounds.h"
+
+#include "base/error.h"
+
+#include "interop/bindings.h"
+#include "interop/specialization.h"
+#include "kernels/bound_radiance.h"
+#include "kernels/measure_radiance.h"
+#include "kernels/reduce_radiance.h"
+
+#include <fmt/format.h>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+namespace utsuri {
+namespace {
+
+/// Of the darkest, and of the brightest, of all blocks.
+std::uint64_t bytes_of_bounds(const Device& device, std::size_t probes, std::uint32_t size) {
+    const std::uint64_t bytes =
+        std::uint64_t{probes} * interop::DISTANCE_FACES * bounds_per_face(size) * sizeof(glm::vec3);
+    const std::uint64_t limit = device.summary().storage_range_bytes;
+    if (bytes > limit) {
+        throw UsageError(
+            "bound radiance", fmt::format("at {} texels from {} capture points", size, probes),
+            fmt::format(
+                "that needs {} MiB and {} can see {} MiB of a buffer; use fewer --probes, or a --tolerance "
+                "in pixels",
+                bytes >> 20, device.summary().name, limit >> 20));
+    }
+    return std::max<std::uint64_t>(bytes, sizeof(glm::vec3));
+}
+
+}  // namespace
+
+RadianceBounds::RadianceBounds(Device& device, std::vector<std::uint32_t> instances,
+                               const std::vector<interop::ProbeInfo>& infos, std::uint32_t size)
+    : device_(&device),
+      instances_(std::move(instances)),
+      probes_(infos),
+      size_(size),
+      samples_(device, samples_per_face(size) * sizeof(interop::RadianceSample), "radiance of a face"),
+      darkest_(device, bytes_of_bounds(device, infos.size(), size), "darkest of blocks"),
+      brightest_(device, bytes_of_bounds(device, infos.size(), size), "brightest of blocks"),
+      captured_(infos.size() * interop::DISTANCE_FACES) {}
+
+void RadianceBounds::take_over(RadianceBounds& former) {
+    if (former.size_ != size_ || former.probes_.size() != probes_.size()) return;
+    darkest_ = std::move(former.darkest_);
+    brightest_ = std::move(former.brightest_);
+    for (std::size_t face = 0; face < captured_.size(); ++face) {
+        const std::size_t probe = face / interop::DISTANCE_FACES;
+        captured_[face] = former.captured_[face] && former.instances_[probe] == instances_[probe] &&
+                          former.probes_[probe].capture_point == probes_[probe].capture_point;
+    }
+}
+
+void RadianceBounds::forget(const SeenChanges& changes) {
+    if (changes.empty()) return;
+    forget_faces(captured_, probes_, size_, [&](const ViewPyramid& view, std::size_t probe) {
+        return changes.look_otherwise_in(view, instances_[probe]);
+    });
+}
+
+FrameCounts RadianceBounds::capture(const GpuScene& scene, const LightCache& light,
+                                    double& seconds_to_compile, Progress& progress) {
+    FrameCounts counts;
+    if (std::find(captured_.begin(), captured_.end(), false) == captured_.end()) return counts;
+    const auto start = std::chrono::steady_clock::now();
+    Specialization specialization = scene.specialization();
+    specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
+    specialization[interop::SPEC_DISTANCE_SIZE] = size_;
+    Bindings bindings = scene.bindings();
+    bindings.merge(light.bindings());
+    bindings.merge(this->bindings());
+    bindings[interop::BINDING_RADIANCE_SAMPLES] = &samples_;
+    const Kernel measure(*device_, "measure_radiance", kernels::measure_radiance, specialization,
+                         sizeof(interop::MeasureRadiancePush));
+    const Kernel bound(*device_, "bound_radiance", kernels::bound_radiance, specialization,
+                       sizeof(interop::BoundDistancesPush));
+    const Kernel reduce(*device_, "reduce_radiance", kernels::reduce_radiance, {},
+                        sizeof(interop::BoundDistancesPush));
+    const BindingSet measure_set = measure.bind(bindings);
+    const BindingSet bound_set = bound.bind(bindings);
+    const BindingSet reduce_set = reduce.bind(bindings);
+    device_->run("compile kernels", [&](const vk::raii::CommandBuffer& commands) {
+        measure.dispatch(commands, measure_set, interop::MeasureRadiancePush{}, 1);
+        bound.dispatch(commands, bound_set, interop::BoundDistancesPush{}, 1);
+        reduce.dispatch(commands, reduce_set, interop::BoundDistancesPush{}, 1);
+    });
+    seconds_to_compile += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    const BlockBounds bounds{bound, bound_set, reduce, reduce_set};
+    DispatchBudget budget;
+    const std::uint32_t per_face = samples_per_face(size_);
+    const auto faces = static_cast<std::uint32_t>(probes_.size()) * interop::DISTANCE_FACES;
+    for (std::uint32_t i = 0; i < faces; ++i) {
+        if (progress.cancelled()) throw Interrupted();
+        if (captured_[i]) continue;
+        const std::uint32_t probe = i / interop::DISTANCE_FACES;
+        interop::MeasureRadiancePush push{};
+        push.capture_point = probes_[probe].capture_point;
+        push.excluded_instance = instances_[probe];
+        push.face = i % interop::DISTANCE_FACES;
+        counts.gpu_seconds +=
+            measure_samples(*device_, "measure radiance", measure, measure_set, push, per_face, budget);
+        counts.rays += std::uint64_t{2} * per_face;
+        const std::uint32_t first = i * bounds_per_face(size_);
+        counts.gpu_seconds += bounds.run(*device_, "bound radiance", 0, first, size_);
+        captured_[i] = true;
+        progress.update(i + 1, faces);
+    }
+    return counts;
+}
+
+Bindings RadianceBounds::bindings() const {
+    return {{interop::BINDING_DARKEST, &darkest_}, {interop::BINDING_BRIGHTEST, &brightest_}};
+}
+
+}  // namespace utsuri

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/film/film_kernel.h"
+#include "renderers/film/render_settings.h"
+#include "renderers/film/render_statistics.h"
+#include "renderers/light/light_cache.h"
+#include "renderers/reflection/maps/reflection_maps.h"
+#include "renderers/scene/gpu_scene.h"
+
+#include "base/progress.h"
+
+#include <functional>
+#include <optional>
+
+namespace utsuri {
+
+/// Renders reflection maps with the tracing kernel, those alone that something looked up: what no reflection
+/// reaches costs nothing.
+class MapCapture {
+  public:
+    /// `device`, `scene`, `light` and `maps` must outlive this.
+    MapCapture(Device& device, const GpuScene& scene, const LightCache& light, ReflectionMaps& maps,
+               const RenderSettings& settings, const MapSettings& map_settings);
+
+    /// Compiles what capturing needs, and captures what a view looks up, or all maps if the settings say so.
+    /// The light must be filled.
+    /// @param eye whose axes sphere maps follow from then on
+    /// @param draw draws the view with its samples at a place in their pixels, in [0, 1)^2
+    /// @throws Interrupted if progress says so
+    void prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
+                 RenderStatistics& statistics, Progress& progress);
+
+    /// Captures the maps that a picture looked up and lacked, or fewer once `progress` is cancelled: it shows
+    /// nothing in their place, and must be drawn again.
+    /// @returns whether there were any
+    bool complete(RenderStatistics& statistics, const Progress& progress);
+
+  private:
+    bool capture_wanted(RenderStatistics& statistics, Progress& progress);
+    [[nodiscard]] FrameCounts capture(std::uint32_t map);
+    /// A film of that many pixels along an edge: the last one, if maps of one size follow one another.
+    Film& film_of(std::uint32_t edge);
+
+    Device& device_;
+    const GpuScene& scene_;
+    const LightCache& light_;
+    ReflectionMaps& maps_;
+    RenderSettings settings_;
+    std::uint32_t samples_;  ///< per texel
+    bool captures_all_;
+    std::optional<FilmKernel> tracer_;  ///< from prepare() on, if there are maps
+    std::optional<Kernel> resolver_;
+    std::optional<Film> film_;
+};
+
+}  // namespace utsuri

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection/planar/image_drawer.h"
+
+#include "renderers/film/frame_camera.h"
+
+#include "interop/bindings.h"
+#include "interop/specialization.h"
+#include "kernels/draw_curved_vert.h"
+#include "kernels/draw_depth_vert.h"
+#include "kernels/draw_image_curved_frag.h"
+#include "kernels/draw_image_depth_frag.h"
+#include "kernels/draw_image_depth_vert.h"
+#include "kernels/draw_image_hybrid_frag.h"
+#include "kernels/draw_image_mirror_frag.h"
+#include "kernels/draw_image_scene_frag.h"
+#include "kernels/draw_image_surroundings_frag.h"
+#include "kernels/draw_image_traced_mirror_frag.h"
+#include "kernels/draw_predicted_curved_vert.h"
+#include "kernels/draw_scene_vert.h"
+#include "kernels/draw_surroundings_vert.h"
+
+#include <algorithm>
+
+namespace utsuri {
+namespace {
+
+Specialization with_features(Specialization specialization, const SurfaceFeatures& features) {
+    specialization[interop::SPEC_HAS_TEXTURES] = features.textured ? 1 : 0;
+    specialization[interop::SPEC_HAS_GLOSSY] = features.glossy ? 1 : 0;
+    return specialization;
+}
+
+/// Of what may be reflected: rays meet surfaces of all kinds.
+Specialization reflecting(const Specialization& specialization, const SurfaceFeatures& features,
+                          MapKind kind) {
+    return kind == MapKind::hybrid ? specialization : with_features(specialization, features);
+}
+
+Specialization with_faces(Specialization specialization, std::size_t faces) {
+    specialization[interop::SPEC_FACE_COUNT] = static_cast<std::uint32_t>(faces);
+    return specialization;
+}
+
+}  // namespace
+
+ImageDrawer::ImageDrawer(Device& device, const SceneData& data, const PlaneMirrors& mirrors,
+                         const Reflectors& curved, MapKind kind, const std::vector<interop::MapFace>& faces,
+                         const Specialization& specialization, const Bindings& bindings)
+    : ImageDrawer(device, data, list_image_triangles(data, mirrors, curved), kind, faces, specialization,
+                  bindings) {}
+
+ImageDrawer::ImageDrawer(Device& device, const SceneData& data, ImageTriangles triangles, MapKind kind,
+                         const std::vector<interop::MapFace>& faces, const Specialization& specialization,
+                         const Bindings& bindings)
+    : device_(device),
+      triangles_(std::move(triangles)),
+      list_(make_buffer<std::uint32_t>(device, triangles_.listed, "draw list")),
+      listed_reflectors_(
+          make_buffer<std::uint32_t>(device, triangles_.reflectors, "reflectors of the draw list")),
+      faces_(make_buffer<interop::MapFace>(device, faces, "faces of the maps")),
+      eye_depth_(make_pass("draw_depth", kernels::draw_depth_vert, {}, DepthTest::nearer, {}, bindings)) {
+    for (const DrawBatch& batch : triangles_.batches) {
+        batches_.push_back(
+            {make_pass("draw_image_scene", kernels::draw_scene_vert, kernels::draw_image_scene_frag,
+                       DepthTest::equal, with_features(specialization, batch.features), bindings),
+             {batch.first, batch.count}});
+    }
+    const bool traces = kind == MapKind::hybrid;
+    if (triangles_.curved.count > 0) {
+        using Stage = std::span<const std::uint32_t>;
+        const Stage vertex =
+            traces ? Stage(kernels::draw_predicted_curved_vert) : Stage(kernels::draw_curved_vert);
+        const Stage fragment =
+            traces ? Stage(kernels::draw_image_hybrid_frag) : Stage(kernels::draw_image_curved_frag);
+        curved_.emplace(
+            make_pass("draw_image_curved", vertex, fragment, DepthTest::equal,
+                      with_faces(reflecting(specialization, triangles_.curved_features, kind), faces.size()),
+                      bindings));
+    }
+    if (triangles_.mirrors.empty()) return;
+    image_depth_.emplace(make_pass("draw_image_depth", kernels::draw_image_depth_vert,
+                                   kernels::draw_image_depth_frag, DepthTest::nearer, {}, bindings));
+    mirrors_.emplace(make_pass("draw_image_mirror", kernels::draw_scene_vert, kernels::draw_image_mirror_frag,
+                               DepthTest::equal, with_features(specialization, triangles_.mirror_features),
+                               bindings));
+    if (traces) {
+        traced_mirrors_.emplace(make_pass("draw_image_traced_mirror", kernels::draw_scene_vert,
+                                          kernels::draw_image_traced_mirror_frag, DepthTest::equal,
+                                          specialization, bindings));
+    }
+    if (!data.requirements.environment) return;
+    surroundings_.emplace(make_pass("draw_image_surroundings", kernels::draw_surroundings_vert,
+                                    kernels::draw_image_surroundings_frag, DepthTest::equal, specialization,
+                                    bindings));
+}
+
+Bindings ImageDrawer::all_bindings(Bindings bindings) const {
+    bindings.merge(Bindings{{interop::BINDING_DRAW_LIST, &list_},
+                            {interop::BINDING_LISTED_REFLECTORS, &listed_reflectors_},
+                            {interop::BINDING_MAP_FACES, &faces_}});
+    return bindings;
+}
+
+ImageDrawer::Pass ImageDrawer::make_pass(const std::string& name, std::span<const std::uint32_t> vertex,
+                                         std::span<const std::uint32_t> fragment, const DepthTest depth,
+                                         const Specialization& specialization,
+                                         const Bindings& bindings) const {
+    // Depth is drawn first, so that a pixel shades only what it shows.
+    const bool writes_colour = depth == DepthTest::equal;
+    RasterPipeline pipeline(device_, name, vertex, fragment, specialization, sizeof(Push), {depth, 0.0f},
+                            {kColours, writes_colour});
+    BindingSet set = pipeline.bind(all_bindings(bindings));
+    return {std::move(pipeline), std::move(set)};
+}
+
+void ImageDrawer::warm_up(const vk::raii::CommandBuffer& commands) const {
+    if (triangles_.listed.empty()) return;
+    const Push nothing{};
+    eye_depth_.pipeline.draw(commands, eye_depth_.bindings, nothing, 0, 1);
+    for (const Batch& batch : batches_)
+        batch.pass.pipeline.draw(commands, batch.pass.bindings, nothing, batch.range.first, 1);
+    for (const std::optional<Pass>* pass :
+         {&curved_, &image_depth_, &mirrors_, &traced_mirrors_, &surroundings_}) {
+        if (*pass) (*pass)->pipeline.draw(commands, (*pass)->bindings, nothing, 0, 1);
+    }
+}
+
+void ImageDrawer::draw(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,
+                       std::uint32_t index, const interop::RasterPush& view) const {
+    const MirrorImage& image = images[index];
+    limit_to(commands, image.window);
+    Push push{view, {}};
+    const PixelRect& picture = images.front().window;
+    push.view.camera = make_camera_info(image.eye, glm::dvec3(0.0), picture.width, picture.height);
+    push.image.normal = glm::vec3(image.normal);
+    push.image.offset = static_cast<float>(image.offset);
+    push.image.number = interop::IMAGE_OF_EYE + index;
+    push.image.reflections = image.reflections;
+    push.image.width = picture.width;
+    draw_depth(commands, image, push);
+    for (const Batch& batch : batches_)
+        batch.pass.pipeline.draw(commands, batch.pass.bindings, push, batch.range.first, batch.range.count);
+    if (curved_)
+        curved_->pipeline.draw(commands, curved_->bindings, push, triangles_.curved.first,
+                               triangles_.curved.count);
+    draw_mirrors(commands, image, push);
+    if (surroundings_ && image.mirror != interop::NONE)
+        surroundings_->pipeline.draw(commands, surroundings_->bindings, push, 0, 1);
+}
+
+void ImageDrawer::draw_depth(const vk::raii::CommandBuffer& commands, const MirrorImage& image,
+                             const Push& push) const {
+    const Pass& pass = image.mirror == interop::NONE ? eye_depth_ : *image_depth_;
+    std::uint32_t first = 0;
+    for (const std::uint32_t unseen : image.unseen) {
+        const TriangleRange& range = triangles_.mirrors[unseen];
+        pass.pipeline.draw(commands, pass.bindings, push, first, range.first - first);
+        first = range.end();
+    }
+    const auto end = static_cast<std::uint32_t>(triangles_.listed.size());
+    pass.pipeline.draw(commands, pass.bindings, push, first, end - first);
+}
+
+void ImageDrawer::draw_mirrors(const vk::raii::CommandBuffer& commands, const MirrorImage& image,
+                               Push push) const {
+    auto shown = image.shown.begin();
+    auto unseen = image.unseen.begin();
+    for (std::uint32_t mirror = 0; mirror < triangles_.mirrors.size(); ++mirror) {
+        if (unseen != image.unseen.end() && *unseen == mirror) {
+            ++unseen;
+            continue;
+        }
+        push.image.next = interop::IMAGE_TRUNCATED;
+        if (shown != image.shown.end() && shown->mirror == mirror)
+            push.image.next = interop::IMAGE_OF_EYE + (shown++)->image;
+        const bool is_traced = traced_mirrors_ && push.image.next == interop::IMAGE_TRUNCATED &&
+                               image.reflections < push.view.specular_depth;
+        const Pass& pass = is_traced ? *traced_mirrors_ : *mirrors_;
+        const TriangleRange& range = triangles_.mirrors[mirror];
+        pass.pipeline.draw(commands, pass.bindings, push, range.first, range.count);
+    }
+}
+
+}  // namespace utsuri

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection/planar/planar_drawer.h"
+
+#include "renderers/reflection/raster/picture_pixels.h"
+
+#include "interop/bindings.h"
+
+namespace utsuri {
+namespace {
+
+std::uint64_t picture_bytes(std::uint32_t width, std::uint32_t height) {
+    return std::uint64_t{width} * height * sizeof(glm::vec4);
+}
+
+}  // namespace
+
+PlanarDrawer::PlanarDrawer(Device& device, const SceneData& data, const PlaneMirrors& mirrors,
+                           const Reflectors& curved, MapKind kind, const std::vector<interop::MapFace>& faces,
+                           const Specialization& specialization, const Bindings& bindings,
+                           std::uint32_t width, std::uint32_t height)
+    : device_(drawing_device(device)),
+      near_plane_(utsuri::near_plane(data)),
+      background_(background_of(data)),
+      colour_(device, width, height, kColourFormat, "drawn picture"),
+      throughput_(device, width, height, kColourFormat, "throughput of the drawn picture"),
+      depth_(device, width, height, kDepthFormat, "depth of the drawn picture"),
+      drawn_before_(device, picture_bytes(width, height), "picture before an image"),
+      throughput_before_(device, picture_bytes(width, height), "throughput before an image"),
+      samples_(device, width, height, *bindings.at(interop::BINDING_MAP_STATES)),
+      drawer_(device, data, mirrors, curved, kind, faces, specialization, with_pictures(bindings)) {}
+
+Bindings PlanarDrawer::with_pictures(Bindings bindings) const {
+    bindings[interop::BINDING_DRAWN] = &drawn_before_;
+    bindings[interop::BINDING_THROUGHPUT] = &throughput_before_;
+    return bindings;
+}
+
+void PlanarDrawer::warm_up() {
+    const std::array<ColourTarget, ImageDrawer::kColours> targets = {ColourTarget{colour_, background_},
+                                                                     ColourTarget{throughput_, background_}};
+    device_.run("compile pipelines", [&](const vk::raii::CommandBuffer& commands) {
+        draw_into(commands, targets, depth_, [&] { drawer_.warm_up(commands); });
+    });
+}
+
+interop::RasterPush PlanarDrawer::view_of(const ImageSettings& settings) const {
+    interop::RasterPush view{};
+    view.near_plane = near_plane_;
+    view.seed = settings.seed;
+    view.specular_depth = settings.specular_depth;
+    view.tolerance = settings.tolerance;
+    view.excluded_instance = interop::NONE;
+    view.pixel = 1.0f / glm::vec2(colour_.width(), colour_.height());
+    return view;
+}
+
+std::vector<glm::vec4> PlanarDrawer::pixels() const {
+    return picture_pixels(device_, colour_);
+}
+
+void PlanarDrawer::draw_frame(const std::vector<MirrorImage>& images, const ImageSettings& settings,
+                              const glm::vec2& jitter) {
+    interop::RasterPush view = view_of(settings);
+    view.jitter = jitter;
+    device_.run("draw a frame",
+                [&](const vk::raii::CommandBuffer& commands) { draw(commands, images, view); });
+}
+
+FrameCounts PlanarDrawer::add_samples(Film& film, const std::vector<MirrorImage>& images,
+                                      const ImageSettings& settings, std::uint32_t count, Progress& progress,
+                                      const CompleteMaps& complete) {
+    const auto record = [&](const vk::raii::CommandBuffer& commands, const interop::RasterPush& push) {
+        draw(commands, images, push);
+    };
+    return samples_.add(film, view_of(settings), count, progress, colour_, record, complete);
+}
+
+void PlanarDrawer::draw(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,
+                        const interop::RasterPush& view) const {
+    std::optional<std::array<float, 4>> background = background_;
+    for (std::uint32_t next = 0; next < images.size();) {
+        if (next > 0) {
+            colour_.copy_rows(commands, 0, colour_.height(), drawn_before_);
+            throughput_.copy_rows(commands, 0, throughput_.height(), throughput_before_);
+        }
+        const std::uint32_t reflections = images[next].reflections;
+        const std::array<ColourTarget, ImageDrawer::kColours> targets = {
+            ColourTarget{colour_, background}, ColourTarget{throughput_, background}};
+        draw_into(commands, targets, depth_, [&] {
+            for (; next < images.size() && images[next].reflections == reflections; ++next)
+                drawer_.draw(commands, images, next, view);
+        });
+        background.reset();
+    }
+}
+
+}  // namespace utsuri

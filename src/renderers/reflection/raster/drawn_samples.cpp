@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection/raster/drawn_samples.h"
+
+#include "base/error.h"
+#include "base/sampler.h"
+
+#include "interop/bindings.h"
+#include "kernels/add_drawn.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace utsuri {
+namespace {
+
+/// Distance of the near plane, as a share of the diagonal of the scene. With reversed floating point depth a
+/// small one costs no precision.
+constexpr double kNearShare = 0x1p-24;
+
+std::uint32_t rows_of_bands(const Device& device, std::uint32_t width, std::uint32_t height) {
+    return std::min(height, rows_per_band(device, width, sizeof(interop::FilmPixel)));
+}
+
+}  // namespace
+
+Device& drawing_device(Device& device) {
+    if (!device.summary().draws) {
+        throw DeviceError("draw the scene", device.summary().name,
+                          "this device has no raster pipeline; use --reflection trace, or another device");
+    }
+    return device;
+}
+
+std::array<float, 4> background_of(const SceneData& data) {
+    if (!data.requirements.environment) return {0.0f, 0.0f, 0.0f, interop::DRAWN_PLAIN};
+    const glm::vec3& radiance = data.lights.front().intensity;
+    return {radiance.x, radiance.y, radiance.z, interop::DRAWN_PLAIN};
+}
+
+float near_plane(const SceneData& data) {
+    return static_cast<float>(kNearShare * glm::length(glm::dvec3(data.bounds.extent())));
+}
+
+DrawnSamples::DrawnSamples(Device& device, std::uint32_t width, std::uint32_t height,
+                           const Buffer& map_states)
+    : device_(device),
+      drawn_(device, std::uint64_t{width} * rows_of_bands(device, width, height) * sizeof(glm::vec4),
+             "drawn rows"),
+      counters_(device, sizeof(interop::Counters), "drawing counters"),
+      add_kernel_(device, "add_drawn", kernels::add_drawn, {}, sizeof(interop::AddDrawnPush)),
+      map_states_(map_states) {}
+
+FrameCounts DrawnSamples::add(Film& film, interop::RasterPush view, std::uint32_t count, Progress& progress,
+                              const Attachment& colour,
+                              const std::function<void(const vk::raii::CommandBuffer& commands,
+                                                       const interop::RasterPush& view)>& record,
+                              const CompleteMaps& complete) {
+    std::vector<BindingSet> sets;
+    for (const Film::Band& band : film.bands()) {
+        sets.push_back(add_kernel_.bind({{interop::BINDING_FILM, &band.pixels},
+                                         {interop::BINDING_DRAWN, &drawn_},
+                                         {interop::BINDING_COUNTERS, &counters_},
+                                         {interop::BINDING_MAP_STATES, &map_states_}}));
+    }
+    counters_.fill_with_zero();
+    FrameCounts counts;
+    for (std::uint32_t done = 0; done < count && !progress.cancelled();) {
+        view.sample_index = film.samples();
+        view.jitter =
+            sample_2d(sampler_key({0, 0}, view.seed, view.sample_index & 1u), view.sample_index >> 1, 0);
+        counts.gpu_seconds += device_.run("draw the scene", [&](const vk::raii::CommandBuffer& commands) {
+            record(commands, view);
+            for (std::size_t i = 0; i < sets.size(); ++i) {
+                const Film::Band& band = film.bands()[i];
+                colour.copy_rows(commands, band.first_row, band.rows, drawn_);
+                const interop::AddDrawnPush add{film.width() * band.rows, view.sample_index};
+                add_kernel_.dispatch(commands, sets[i], add, (add.pixels + 63) / 64);
+            }
+        });
+        if (complete()) continue;
+        film.note_samples(1);
+        progress.update(++done, count);
+    }
+    const auto totals = counters_.download_records<interop::Counters>(1).front();
+    counts.nonfinite = totals.nonfinite;
+    counts.lookups = totals.lookups;
+    counts.traced = totals.traced;
+    counts.rays = totals.rays;
+    counts.truncated = totals.truncated;
+    return counts;
+}
+
+}  // namespace utsuri

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection/raster/frame_drawer.h"
+
+#include "renderers/reflection/raster/picture_pixels.h"
+
+#include "interop/bindings.h"
+#include "interop/specialization.h"
+#include "kernels/draw_depth_vert.h"
+#include "kernels/draw_scene_frag.h"
+#include "kernels/draw_scene_vert.h"
+
+#include <algorithm>
+
+namespace utsuri {
+FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
+                         const Bindings& bindings, const ReflectorDrawer* reflectors, std::uint32_t width,
+                         std::uint32_t height)
+    : FrameDrawer(device, data, plan_draws(data), specialization, bindings, reflectors, width, height) {}
+
+FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& list,
+                         const Specialization& specialization, const Bindings& bindings,
+                         const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height)
+    : device_(drawing_device(device)),
+      reflectors_(reflectors),
+      near_plane_(near_plane(data)),
+      background_(background_of(data)),
+      colour_(device, width, height, kColourFormat, "drawn picture"),
+      depth_(device, width, height, kDepthFormat, "depth of the drawn picture"),
+      samples_(device, width, height, *bindings.at(interop::BINDING_MAP_STATES)),
+      triangles_(make_buffer<std::uint32_t>(device, list.triangles, "draw list")),
+      triangle_count_(static_cast<std::uint32_t>(list.triangles.size())),
+      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::RasterPush)),
+      depth_bindings_(depth_pass_.bind(with_draw_list(bindings))),
+      batches_(make_batches(list.batches, specialization, bindings)) {}
+
+Bindings FrameDrawer::with_draw_list(Bindings bindings) const {
+    bindings[interop::BINDING_DRAW_LIST] = &triangles_;
+    return bindings;
+}
+
+std::vector<FrameDrawer::Batch> FrameDrawer::make_batches(const std::vector<DrawBatch>& planned,
+                                                          const Specialization& specialization,
+                                                          const Bindings& bindings) {
+    std::vector<Batch> batches;
+    for (const DrawBatch& batch : planned) {
+        Specialization constants = specialization;
+        constants[interop::SPEC_HAS_TEXTURES] = batch.features.textured ? 1 : 0;
+        constants[interop::SPEC_HAS_GLOSSY] = batch.features.glossy ? 1 : 0;
+        RasterPipeline pipeline(device_, "draw_scene", kernels::draw_scene_vert, kernels::draw_scene_frag,
+                                constants, sizeof(interop::RasterPush), DepthState{DepthTest::equal, 0.0f});
+        BindingSet set = pipeline.bind(with_draw_list(bindings));
+        batches.push_back({std::move(pipeline), std::move(set), batch.first, batch.count});
+    }
+    return batches;
+}
+
+void FrameDrawer::warm_up() {
+    const interop::RasterPush nothing{};
+    device_.run("compile pipelines", [&](const vk::raii::CommandBuffer& commands) {
+        draw_into(commands, colour_, depth_, background_, [&] {
+            if (triangle_count_ > 0) depth_pass_.draw(commands, depth_bindings_, nothing, 0, 1);
+            if (reflectors_) reflectors_->warm_up(commands);
+            for (const Batch& batch : batches_)
+                batch.pipeline.draw(commands, batch.bindings, nothing, batch.first, 1);
+        });
+    });
+}
+
+interop::RasterPush FrameDrawer::view_of(const DrawSettings& settings) const {
+    interop::RasterPush view{};
+    view.camera = settings.camera;
+    view.jitter = {0.5f, 0.5f};
+    view.near_plane = near_plane_;
+    view.seed = settings.seed;
+    view.specular_depth = settings.specular_depth;
+    view.excluded_instance = interop::NONE;
+    view.tolerance = settings.tolerance;
+    view.pixel = 1.0f / glm::vec2(colour_.width(), colour_.height());
+    return view;
+}
+
+void FrameDrawer::record(const vk::raii::CommandBuffer& commands, const interop::RasterPush& view) const {
+    draw_into(commands, colour_, depth_, background_, [&] {
+        // Depth first: a pixel shades only what it shows.
+        depth_pass_.draw(commands, depth_bindings_, view, 0, triangle_count_);
+        if (reflectors_) reflectors_->draw(commands, view);
+        for (const Batch& batch : batches_)
+            batch.pipeline.draw(commands, batch.bindings, view, batch.first, batch.count);
+    });
+}
+
+void FrameDrawer::draw_frame(const DrawSettings& settings, const glm::vec2& jitter) {
+    interop::RasterPush view = view_of(settings);
+    view.jitter = jitter;
+    device_.run("draw a frame", [&](const vk::raii::CommandBuffer& commands) { record(commands, view); });
+}
+
+Image FrameDrawer::frame() const {
+    Image image(colour_.width(), colour_.height());
+    const std::vector<glm::vec4> pixels = picture_pixels(device_, colour_);
+    std::transform(pixels.begin(), pixels.end(), image.pixels.begin(),
+                   [](const glm::vec4& pixel) { return glm::vec3(pixel); });
+    return image;
+}
+
+std::vector<float> FrameDrawer::traced_pixels() const {
+    return traced_pixels_of(picture_pixels(device_, colour_));
+}
+
+FrameCounts FrameDrawer::add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,
+                                     Progress& progress, const CompleteMaps& complete) {
+    const auto record_view = [&](const vk::raii::CommandBuffer& commands, const interop::RasterPush& view) {
+        record(commands, view);
+    };
+    return samples_.add(film, view_of(settings), count, progress, colour_, record_view, complete);
+}
+
+}  // namespace utsuri
