@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Binding numbers of descriptor set 0. One number means one thing in every kernel.
+// Binding numbers. One number means one thing in every kernel, whichever of the two descriptor sets it is in.
 #ifndef UTSURI_INTEROP_BINDINGS_H
 #define UTSURI_INTEROP_BINDINGS_H
 #include "interop/prelude.h"
 INTEROP_BEGIN
 
+/// Descriptor sets: the scene, which all methods share, and what a method adds.
+INTEROP_CONSTANT SCENE_SET = 0u;
+INTEROP_CONSTANT METHOD_SET = 1u;
+
+// The scene, in SCENE_SET.
 INTEROP_CONSTANT BINDING_BVH_NODES = 0u;
 INTEROP_CONSTANT BINDING_BVH_TRIANGLES = 1u;
 INTEROP_CONSTANT BINDING_TRIANGLE_INFOS = 2u;
@@ -15,52 +20,67 @@ INTEROP_CONSTANT BINDING_LIGHTS = 6u;
 INTEROP_CONSTANT BINDING_LIGHT_TABLE = 7u;
 INTEROP_CONSTANT BINDING_TEXTURE_HEADERS = 8u;
 INTEROP_CONSTANT BINDING_TEXELS = 9u;
+
+// Films, first hits, and lists of rays, for tests and benchmarks.
 INTEROP_CONSTANT BINDING_FILM = 10u;
 INTEROP_CONSTANT BINDING_COUNTERS = 11u;
 INTEROP_CONSTANT BINDING_AOV = 12u;
-INTEROP_CONSTANT BINDING_DRAWN = 13u;  ///< a drawn picture, a vec4 a pixel
-INTEROP_CONSTANT BINDING_PROBES = 14u;
-INTEROP_CONSTANT BINDING_REFLECTOR_TRIANGLES = 15u;
-INTEROP_CONSTANT BINDING_REFLECTOR_VERTICES = 16u;
-INTEROP_CONSTANT BINDING_VERTEX_REFLECTIONS = 17u;
-INTEROP_CONSTANT BINDING_MAP_TEXELS = 18u;
-/// Rays in, hits out, for kernels that trace a list of rays (tests and benchmarks).
-INTEROP_CONSTANT BINDING_RAYS = 19u;
-INTEROP_CONSTANT BINDING_HITS = 20u;
-INTEROP_CONSTANT BINDING_LIGHT_CACHE_TRIANGLES = 21u;
-INTEROP_CONSTANT BINDING_LIGHT_CACHE_POINTS = 22u;
-INTEROP_CONSTANT BINDING_DRAW_LIST = 23u;  ///< triangles in the order they are drawn in
-INTEROP_CONSTANT BINDING_MAP_FACES = 24u;
-INTEROP_CONSTANT BINDING_SUMMED_COUNTS = 25u;   ///< what the prefix sum works on
-INTEROP_CONSTANT BINDING_STRADDLING = 26u;      ///< polygons that straddle faces before each, and in all
-INTEROP_CONSTANT BINDING_DRAWN_POLYGONS = 27u;  ///< those drawn whole: that straddle faces, or all
-INTEROP_CONSTANT BINDING_CUT_COUNTS = 28u;      ///< pieces of the straddlers before each, and in all
-INTEROP_CONSTANT BINDING_WHOLE_PIECES = 29u;
-INTEROP_CONSTANT BINDING_CUT_PIECES = 30u;
-INTEROP_CONSTANT BINDING_CUT_CORNERS = 31u;
-INTEROP_CONSTANT BINDING_DRAW_ARGUMENTS = 32u;  ///< of whole pieces, of cut pieces, of polygons drawn whole
-INTEROP_CONSTANT BINDING_DISTANCE_MAPS = 33u;   ///< DistanceMapInfo of each reflector
-INTEROP_CONSTANT BINDING_DISTANCE_SAMPLES = 34u;
-INTEROP_CONSTANT BINDING_DISTANCE_BOUNDS = 35u;
-INTEROP_CONSTANT BINDING_LISTED_REFLECTORS = 36u;  ///< of the triangles of the draw list that are curved
-INTEROP_CONSTANT BINDING_THROUGHPUT = 37u;  ///< of the mirrors that a pixel shows so far, a vec4 a pixel
-INTEROP_CONSTANT BINDING_ROUGH_MAPS = 38u;  ///< RoughMapInfo of each instance of the scene
-INTEROP_CONSTANT BINDING_ROUGH_LEVELS = 39u;
-INTEROP_CONSTANT BINDING_ROUGH_TEXELS = 40u;
-INTEROP_CONSTANT BINDING_LOBE_ALBEDO = 41u;
-INTEROP_CONSTANT BINDING_PROXY_PLANES = 42u;        ///< of reflectors
-INTEROP_CONSTANT BINDING_ROUGH_PROXY_PLANES = 43u;  ///< of instances with rough maps
-INTEROP_CONSTANT BINDING_PROBE_RANGES = 44u;        ///< ProbeRange of each reflector
-INTEROP_CONSTANT BINDING_RADIANCE_SAMPLES = 45u;    ///< of one face about a capture point
-INTEROP_CONSTANT BINDING_DARKEST = 46u;  ///< of each block of directions, numbered as distance bounds
-INTEROP_CONSTANT BINDING_BRIGHTEST = 47u;
-INTEROP_CONSTANT BINDING_MAP_STATES = 48u;  ///< how many maps are wanted, then the MAP_ state of each
-INTEROP_CONSTANT BINDING_MAP_INVERSE_DISTANCES = 49u;    ///< of each texel of what rough maps are made of
-INTEROP_CONSTANT BINDING_ROUGH_INVERSE_DISTANCES = 50u;  ///< of each texel of rough maps
-INTEROP_CONSTANT BINDING_ROUGH_PROBES = 51u;             ///< RoughProbe of each instance, one after the other
-INTEROP_CONSTANT BINDING_LIGHT_BOUNDS = 52u;
-INTEROP_CONSTANT BINDING_CHANGED_BOXES = 53u;
-INTEROP_CONSTANT BINDING_SELF_HORIZONS = 54u;  ///< sines, of each triangle: self_horizon.h
+INTEROP_CONSTANT BINDING_RAYS = 13u;
+INTEROP_CONSTANT BINDING_HITS = 14u;
+
+// Light kept on surfaces.
+INTEROP_CONSTANT BINDING_LIGHT_CACHE_TRIANGLES = 15u;
+INTEROP_CONSTANT BINDING_LIGHT_CACHE_POINTS = 16u;
+INTEROP_CONSTANT BINDING_LIGHT_BOUNDS = 17u;
+INTEROP_CONSTANT BINDING_CHANGED_BOXES = 18u;
+
+// Reflection maps and the points that they are captured from.
+INTEROP_CONSTANT BINDING_PROBES = 19u;
+INTEROP_CONSTANT BINDING_PROBE_RANGES = 20u;  ///< ProbeRange of each reflector
+INTEROP_CONSTANT BINDING_MAP_FACES = 21u;     ///< a uniform block
+INTEROP_CONSTANT BINDING_MAP_TEXELS = 22u;
+INTEROP_CONSTANT BINDING_MAP_STATES = 23u;    ///< how many maps are wanted, then the MAP_ state of each
+INTEROP_CONSTANT BINDING_PROXY_PLANES = 24u;  ///< of reflectors, then of rough instances
+
+// Distances and radiance about capture points.
+INTEROP_CONSTANT BINDING_DISTANCE_MAPS = 25u;  ///< DistanceMapInfo of each probe
+INTEROP_CONSTANT BINDING_DISTANCE_SAMPLES = 26u;
+INTEROP_CONSTANT BINDING_DISTANCE_BOUNDS = 27u;
+INTEROP_CONSTANT BINDING_SELF_HORIZONS = 28u;     ///< sines, of each triangle: self_horizon.h
+INTEROP_CONSTANT BINDING_RADIANCE_SAMPLES = 29u;  ///< of one face about a capture point
+INTEROP_CONSTANT BINDING_DARKEST = 30u;  ///< of each block of directions, numbered as distance bounds
+INTEROP_CONSTANT BINDING_BRIGHTEST = 31u;
+
+// Maps of rough lobes.
+INTEROP_CONSTANT BINDING_ROUGH_MAPS = 32u;    ///< RoughMapInfo of each instance of the scene
+INTEROP_CONSTANT BINDING_ROUGH_PROBES = 33u;  ///< RoughProbe of each instance, one after the other
+INTEROP_CONSTANT BINDING_ROUGH_LEVELS = 34u;
+INTEROP_CONSTANT BINDING_ROUGH_TEXELS = 35u;
+INTEROP_CONSTANT BINDING_ROUGH_INVERSE_DISTANCES = 36u;  ///< of each texel of rough maps
+INTEROP_CONSTANT BINDING_MAP_INVERSE_DISTANCES = 37u;    ///< of each texel of what rough maps are made of
+INTEROP_CONSTANT BINDING_LOBE_ALBEDO = 38u;
+
+// Polygons of reflectors.
+INTEROP_CONSTANT BINDING_REFLECTOR_TRIANGLES = 39u;
+INTEROP_CONSTANT BINDING_REFLECTOR_VERTICES = 40u;
+INTEROP_CONSTANT BINDING_VERTEX_REFLECTIONS = 41u;
+INTEROP_CONSTANT BINDING_SUMMED_COUNTS = 42u;   ///< what the prefix sum works on
+INTEROP_CONSTANT BINDING_STRADDLING = 43u;      ///< polygons that straddle faces before each, and in all
+INTEROP_CONSTANT BINDING_DRAWN_POLYGONS = 44u;  ///< those drawn whole: that straddle faces, or all
+INTEROP_CONSTANT BINDING_CUT_COUNTS = 45u;      ///< pieces of the straddlers before each, and in all
+INTEROP_CONSTANT BINDING_WHOLE_PIECES = 46u;
+INTEROP_CONSTANT BINDING_CUT_PIECES = 47u;
+INTEROP_CONSTANT BINDING_CUT_CORNERS = 48u;
+INTEROP_CONSTANT BINDING_DRAW_ARGUMENTS = 49u;  ///< of whole pieces, of cut pieces, of polygons drawn whole
+
+// Drawing.
+INTEROP_CONSTANT BINDING_FRAME = 50u;              ///< a uniform block
+INTEROP_CONSTANT BINDING_DRAW_LIST = 51u;          ///< triangles in the order they are drawn in
+INTEROP_CONSTANT BINDING_LISTED_REFLECTORS = 52u;  ///< of the triangles of the draw list that are curved
+INTEROP_CONSTANT BINDING_DRAWN = 53u;              ///< a drawn picture, a vec4 a pixel
+INTEROP_CONSTANT BINDING_THROUGHPUT = 54u;  ///< of the mirrors that a pixel shows so far, a vec4 a pixel
+
+INTEROP_CONSTANT BINDING_COUNT = 55u;
 
 INTEROP_END
 #endif

@@ -5,15 +5,15 @@
 #include "interop/frame.h"
 INTEROP_BEGIN
 
-struct RasterPush {
-    CameraInfo camera;
+/// What is the same for all draws of a frame: a uniform block.
+struct FrameInfo {
     vec2 jitter;       ///< where in its pixel a sample lies, in [0, 1)^2
+    vec2 pixel_size;   ///< in pictures
+    uint width;        ///< of the picture
     float near_plane;  ///< distance along the viewing direction
     uint sample_index;
     uint seed;
-    vec2 pixel;              ///< size of a pixel, in pictures
-    uint specular_depth;     ///< most specular reflections followed
-    uint excluded_instance;  ///< NONE
+    uint specular_depth;  ///< most specular reflections followed
     float tolerance;  ///< predicted error up to which maps are looked up: pixels, or share of the radiance
 };
 
@@ -29,14 +29,15 @@ INTEROP_CONSTANT IMAGE_OF_EYE = 1024u;
 /// Instead of an image: a mirror whose image is not drawn.
 INTEROP_CONSTANT IMAGE_TRUNCATED = 0u;
 
-/// One image of the scene: as seen from the eye, or from an eye mirrored in one mirror after the other.
-struct ImageInfo {
+/// Push constants of what draws one image of the scene: as seen from the eye, or from an eye mirrored in one
+/// mirror after the other. At most 128 bytes (the least that Vulkan guarantees).
+struct ImagePush {
+    CameraInfo camera;
     vec3 normal;  ///< only what is at dot(normal, x) > offset shows in the last mirror
     float offset;
     uint number;       ///< of this image: only pixels that wait for it are drawn
     uint reflections;  ///< mirrors that it is seen in
     uint next;         ///< image in the mirror that is drawn, or IMAGE_TRUNCATED
-    uint width;        ///< of the picture
 };
 
 struct AddDrawnPush {

@@ -5,6 +5,7 @@
 #define UTSURI_LIB_BSDF
 
 #include "lib/microfacet.glsl"
+#include "lib/scene_constants.glsl"
 #include "lib/surface.glsl"
 
 float dielectric_fresnel(Surface surface, float cosine) {

@@ -4,6 +4,8 @@
 #ifndef UTSURI_LIB_BVH_NODE
 #define UTSURI_LIB_BVH_NODE
 
+#extension GL_EXT_control_flow_attributes : require
+
 #include "interop/bvh.h"
 #include "lib/numeric.glsl"
 

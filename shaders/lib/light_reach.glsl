@@ -4,6 +4,7 @@
 #define UTSURI_LIB_LIGHT_REACH
 
 #include "interop/light_cache.h"
+#include "lib/numeric.glsl"
 
 /// Narrows the ways [begin, end] to those t with t * slope <= limit.
 void narrow_ways(float slope, float limit, inout float begin, inout float end) {

@@ -23,11 +23,12 @@ std::string describe(const Device& device, std::uint64_t bytes, const std::strin
 
 vk::raii::Buffer create_buffer(const Device& device, std::uint64_t bytes) {
     using Usage = vk::BufferUsageFlagBits;
-    return device.handle().createBuffer(
-        {{},
-         bytes,
-         Usage::eStorageBuffer | Usage::eIndirectBuffer | Usage::eTransferSrc | Usage::eTransferDst,
-         vk::SharingMode::eExclusive});
+    return device.handle().createBuffer({{},
+                                         bytes,
+                                         Usage::eStorageBuffer | Usage::eUniformBuffer |
+                                             Usage::eIndirectBuffer | Usage::eTransferSrc |
+                                             Usage::eTransferDst,
+                                         vk::SharingMode::eExclusive});
 }
 
 DeviceMemory bind_memory(Device& device, const vk::raii::Buffer& buffer,
@@ -134,6 +135,14 @@ void Buffer::download(std::span<std::byte> bytes, std::uint64_t offset) const {
             memory.handle().unmapMemory();
         }
     });
+}
+
+void Buffer::record_update(const vk::raii::CommandBuffer& commands, std::span<const std::byte> bytes) const {
+    UTSURI_CHECK_LE(bytes.size(), size_);
+    barrier(commands);
+    commands.updateBuffer<std::byte>(
+        *buffer_, 0, vk::ArrayProxy<const std::byte>(static_cast<std::uint32_t>(bytes.size()), bytes.data()));
+    barrier(commands);
 }
 
 void Buffer::fill_with_zero() {

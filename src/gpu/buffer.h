@@ -13,8 +13,8 @@
 
 namespace utsuri {
 
-/// A storage buffer with its own memory, in device memory where there is some. It can also hold the arguments
-/// of indirect draws. Move-only.
+/// A storage buffer with its own memory, in device memory where there is some. It can also hold a uniform
+/// block, or the arguments of indirect draws. Move-only.
 class Buffer {
   public:
     /// @param bytes at least 1; at most the device's storage range
@@ -32,6 +32,10 @@ class Buffer {
     void upload(std::span<const std::byte> bytes, std::uint64_t offset = 0);
     void download(std::span<std::byte> bytes, std::uint64_t offset = 0) const;
     void fill_with_zero();
+    /// Records that bytes at the front are replaced, ordered against what is recorded before and after: what
+    /// kernels of one submission read that changes from one to the next.
+    /// @param bytes a multiple of 4, at most 65536
+    void record_update(const vk::raii::CommandBuffer& commands, std::span<const std::byte> bytes) const;
 
     /// `count` records from the front.
     template <typename Record>

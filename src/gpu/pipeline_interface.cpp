@@ -2,33 +2,39 @@
 #include "gpu/pipeline_interface.h"
 
 #include "base/check.h"
-#include "gpu/spirv.h"
 #include "gpu/vulkan_call.h"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
 
 namespace utsuri {
 namespace {
 
-/// Binding numbers and the stages that declare them.
-using StagesOfBindings = std::map<std::uint32_t, vk::ShaderStageFlags>;
+/// Buffers and the stages that declare them.
+using StagesOfBindings = std::map<SpirvBinding, vk::ShaderStageFlags>;
 
 StagesOfBindings stages_of_bindings(std::span<const StageModule> modules) {
     StagesOfBindings result;
     for (const StageModule& module : modules) {
-        for (const std::uint32_t number : spirv_bindings(module.spirv))
-            result[number] |= module.stage;
+        for (const SpirvBinding& binding : spirv_bindings(module.spirv)) {
+            UTSURI_CHECK_LT(binding.set, kDescriptorSets);
+            result[binding] |= module.stage;
+        }
     }
     return result;
 }
 
-std::vector<std::uint32_t> binding_numbers(std::span<const StageModule> modules) {
-    std::vector<std::uint32_t> numbers;
-    for (const auto& [number, stages] : stages_of_bindings(modules))
-        numbers.push_back(number);
-    return numbers;
+std::vector<SpirvBinding> declared_bindings(std::span<const StageModule> modules) {
+    std::vector<SpirvBinding> bindings;
+    for (const auto& [binding, stages] : stages_of_bindings(modules))
+        bindings.push_back(binding);
+    return bindings;
+}
+
+vk::DescriptorType type_of(const SpirvBinding& binding) {
+    return binding.is_uniform ? vk::DescriptorType::eUniformBuffer : vk::DescriptorType::eStorageBuffer;
 }
 
 vk::ShaderStageFlags all_stages(std::span<const StageModule> modules) {
@@ -38,25 +44,45 @@ vk::ShaderStageFlags all_stages(std::span<const StageModule> modules) {
     return stages;
 }
 
-vk::raii::DescriptorSetLayout create_set_layout(const Device& device, std::span<const StageModule> modules) {
-    std::vector<vk::DescriptorSetLayoutBinding> entries;
-    for (const auto& [number, stages] : stages_of_bindings(modules))
-        entries.emplace_back(number, vk::DescriptorType::eStorageBuffer, 1, stages);
-    return device.handle().createDescriptorSetLayout({{}, entries});
+std::vector<vk::raii::DescriptorSetLayout> create_set_layouts(const Device& device,
+                                                              std::span<const StageModule> modules) {
+    std::array<std::vector<vk::DescriptorSetLayoutBinding>, kDescriptorSets> entries;
+    for (const auto& [binding, stages] : stages_of_bindings(modules))
+        entries[binding.set].emplace_back(binding.number, type_of(binding), 1, stages);
+    std::vector<vk::raii::DescriptorSetLayout> layouts;
+    for (const auto& set : entries)
+        layouts.push_back(device.handle().createDescriptorSetLayout({{}, set}));
+    return layouts;
 }
 
-vk::raii::PipelineLayout create_layout(const Device& device, const vk::raii::DescriptorSetLayout& set_layout,
+std::vector<vk::DescriptorSetLayout> handles_of(const std::vector<vk::raii::DescriptorSetLayout>& layouts) {
+    std::vector<vk::DescriptorSetLayout> handles;
+    for (const vk::raii::DescriptorSetLayout& layout : layouts)
+        handles.push_back(*layout);
+    return handles;
+}
+
+vk::raii::PipelineLayout create_layout(const Device& device,
+                                       const std::vector<vk::raii::DescriptorSetLayout>& set_layouts,
                                        vk::ShaderStageFlags stages, std::uint32_t push_bytes) {
     const vk::PushConstantRange range(stages, 0, push_bytes);
-    vk::PipelineLayoutCreateInfo info({}, *set_layout);
+    const std::vector<vk::DescriptorSetLayout> sets = handles_of(set_layouts);
+    vk::PipelineLayoutCreateInfo info({}, sets);
     if (push_bytes > 0) info.setPushConstantRanges(range);
     return device.handle().createPipelineLayout(info);
 }
 
 }  // namespace
 
-BindingSet::BindingSet(vk::raii::DescriptorPool pool, vk::raii::DescriptorSet set)
-    : pool_(std::move(pool)), set_(std::move(set)) {}
+BindingSet::BindingSet(vk::raii::DescriptorPool pool, std::vector<vk::raii::DescriptorSet> sets)
+    : pool_(std::move(pool)), sets_(std::move(sets)) {}
+
+std::vector<vk::DescriptorSet> BindingSet::handles() const {
+    std::vector<vk::DescriptorSet> handles;
+    for (const vk::raii::DescriptorSet& set : sets_)
+        handles.push_back(*set);
+    return handles;
+}
 
 BindingSet::BindingSet(BindingSet&& other) noexcept = default;
 BindingSet& BindingSet::operator=(BindingSet&& other) noexcept = default;
@@ -86,10 +112,11 @@ PipelineInterface::PipelineInterface(Device& device, std::string name, std::span
       name_(std::move(name)),
       stages_(all_stages(modules)),
       push_bytes_(push_bytes),
-      binding_numbers_(binding_numbers(modules)),
-      set_layout_(vulkan_call("create pipeline", name_, [&] { return create_set_layout(device, modules); })),
+      declared_(declared_bindings(modules)),
+      set_layouts_(
+          vulkan_call("create pipeline", name_, [&] { return create_set_layouts(device, modules); })),
       layout_(vulkan_call("create pipeline", name_,
-                          [&] { return create_layout(device, set_layout_, stages_, push_bytes_); })) {}
+                          [&] { return create_layout(device, set_layouts_, stages_, push_bytes_); })) {}
 
 PipelineInterface::PipelineInterface(PipelineInterface&& other) noexcept = default;
 PipelineInterface& PipelineInterface::operator=(PipelineInterface&& other) noexcept = default;
@@ -97,33 +124,36 @@ PipelineInterface::~PipelineInterface() = default;
 
 BindingSet PipelineInterface::bind(const Bindings& buffers) const {
     return vulkan_call("bind buffers of", name_, [&] {
-        const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer,
-                                          static_cast<std::uint32_t>(binding_numbers_.size()));
+        const auto count = static_cast<std::uint32_t>(declared_.size());
+        const std::array sizes = {vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, count),
+                                  vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, count)};
         vk::raii::DescriptorPool pool = device_->handle().createDescriptorPool(
-            {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, size});
-        vk::raii::DescriptorSets sets(device_->handle(), {*pool, *set_layout_});
+            {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, kDescriptorSets, sizes});
+        const std::vector<vk::DescriptorSetLayout> layouts = handles_of(set_layouts_);
+        std::vector<vk::raii::DescriptorSet> sets =
+            device_->handle().allocateDescriptorSets({*pool, layouts});
         std::vector<vk::DescriptorBufferInfo> infos;
-        infos.reserve(binding_numbers_.size());
+        infos.reserve(declared_.size());
         std::vector<vk::WriteDescriptorSet> writes;
-        for (const std::uint32_t binding : binding_numbers_) {
-            const auto found = buffers.find(binding);
+        for (const SpirvBinding& binding : declared_) {
+            const auto found = buffers.find(binding.number);
             if (found == buffers.end()) {
                 fail_check(__FILE__, __LINE__,
-                           fmt::format("{} has no buffer for binding {}", name_, binding));
+                           fmt::format("{} has no buffer for binding {}", name_, binding.number));
             }
             infos.emplace_back(found->second->handle(), 0, VK_WHOLE_SIZE);
-            writes.emplace_back(*sets.front(), binding, 0, 1, vk::DescriptorType::eStorageBuffer, nullptr,
+            writes.emplace_back(*sets[binding.set], binding.number, 0, 1, type_of(binding), nullptr,
                                 &infos.back());
         }
         device_->handle().updateDescriptorSets(writes, {});
-        return BindingSet(std::move(pool), std::move(sets.front()));
+        return BindingSet(std::move(pool), std::move(sets));
     });
 }
 
 void PipelineInterface::use(const vk::raii::CommandBuffer& commands, vk::PipelineBindPoint point,
                             const BindingSet& bindings, std::span<const std::byte> push) const {
     UTSURI_CHECK_EQ(push.size(), push_bytes_);
-    commands.bindDescriptorSets(point, *layout_, 0, bindings.handle(), {});
+    commands.bindDescriptorSets(point, *layout_, 0, bindings.handles(), {});
     if (push.empty()) return;
     commands.pushConstants<std::byte>(
         *layout_, stages_, 0,

@@ -3,10 +3,12 @@
 
 #include "gpu/buffer.h"
 #include "gpu/device.h"
+#include "gpu/spirv.h"
 
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace utsuri {
 
@@ -16,18 +18,21 @@ using Specialization = std::map<std::uint32_t, std::uint32_t>;
 /// Which buffer is bound at which binding number.
 using Bindings = std::map<std::uint32_t, const Buffer*>;
 
-/// A set of buffers bound for one pipeline. The buffers must outlive it.
+/// Descriptor sets of every pipeline: the scene's buffers, and what a method adds.
+inline constexpr std::uint32_t kDescriptorSets = 2;
+
+/// Buffers bound for one pipeline, which must outlive this.
 class BindingSet {
   public:
-    BindingSet(vk::raii::DescriptorPool pool, vk::raii::DescriptorSet set);
+    BindingSet(vk::raii::DescriptorPool pool, std::vector<vk::raii::DescriptorSet> sets);
     BindingSet(BindingSet&& other) noexcept;
     BindingSet& operator=(BindingSet&& other) noexcept;
     ~BindingSet();
-    [[nodiscard]] vk::DescriptorSet handle() const { return *set_; }
+    [[nodiscard]] std::vector<vk::DescriptorSet> handles() const;
 
   private:
     vk::raii::DescriptorPool pool_;
-    vk::raii::DescriptorSet set_;
+    std::vector<vk::raii::DescriptorSet> sets_;
 };
 
 /// One stage of a pipeline: embedded SPIR-V and what of the constants it declares.
@@ -55,8 +60,8 @@ struct StageModule {
     std::span<const std::uint32_t> spirv;
 };
 
-/// What a pipeline reads: storage buffers in set 0, found from its SPIR-V, and one push constant block.
-/// Move-only.
+/// What a pipeline reads: storage buffers and uniform blocks, found from its SPIR-V, and one push constant
+/// block. Move-only.
 class PipelineInterface {
   public:
     /// Each buffer is bound for the stages that declare it: devices bound how many one stage may see.
@@ -82,8 +87,8 @@ class PipelineInterface {
     std::string name_;
     vk::ShaderStageFlags stages_;
     std::uint32_t push_bytes_;
-    std::vector<std::uint32_t> binding_numbers_;
-    vk::raii::DescriptorSetLayout set_layout_;
+    std::vector<SpirvBinding> declared_;
+    std::vector<vk::raii::DescriptorSetLayout> set_layouts_;
     vk::raii::PipelineLayout layout_;
 };
 

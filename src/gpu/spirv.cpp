@@ -3,17 +3,33 @@
 
 #include "base/check.h"
 
+#include <map>
 #include <set>
 
 namespace utsuri {
 namespace {
 
 // Numbers of the SPIR-V specification, version 1.6.
+constexpr std::uint32_t kOpVariable = 59;
 constexpr std::uint32_t kOpDecorate = 71;
 constexpr std::uint32_t kOpMemberDecorate = 72;
 constexpr std::uint32_t kSpecId = 1;
 constexpr std::uint32_t kBinding = 33;
+constexpr std::uint32_t kDescriptorSet = 34;
+constexpr std::uint32_t kUniform = 2;  // storage class
 constexpr std::size_t kHeaderWords = 5;
+
+/// Calls visit(operation, words) for every instruction, its first word left out.
+template <typename Visit>
+void for_each_instruction(std::span<const std::uint32_t> module, const Visit& visit) {
+    for (std::size_t at = kHeaderWords; at < module.size();) {
+        const std::uint32_t words = module[at] >> 16;
+        UTSURI_CHECK_LT(0u, words);
+        UTSURI_CHECK_LE(at + words, module.size());
+        visit(module[at] & 0xffffu, module.subspan(at + 1, words - 1));
+        at += words;
+    }
+}
 
 std::vector<std::uint32_t> decoration_values(std::span<const std::uint32_t> module,
                                              std::uint32_t decoration) {
@@ -28,24 +44,36 @@ std::vector<std::uint32_t> decoration_values(std::span<const std::uint32_t> modu
 
 std::vector<SpirvDecoration> spirv_decorations(std::span<const std::uint32_t> module) {
     std::vector<SpirvDecoration> result;
-    for (std::size_t at = kHeaderWords; at < module.size();) {
-        const std::uint32_t operation = module[at] & 0xffffu;
-        const std::uint32_t words = module[at] >> 16;
-        UTSURI_CHECK_LT(0u, words);
-        UTSURI_CHECK_LE(at + words, module.size());
+    for_each_instruction(module, [&](std::uint32_t operation, std::span<const std::uint32_t> words) {
         if (operation == kOpDecorate) {
-            result.push_back({module[at + 1], -1, module[at + 2], words > 3 ? module[at + 3] : 0});
+            result.push_back({words[0], -1, words[1], words.size() > 2 ? words[2] : 0});
         } else if (operation == kOpMemberDecorate) {
-            result.push_back(
-                {module[at + 1], module[at + 2], module[at + 3], words > 4 ? module[at + 4] : 0});
+            result.push_back({words[0], words[1], words[2], words.size() > 3 ? words[3] : 0});
         }
-        at += words;
-    }
+    });
     return result;
 }
 
-std::vector<std::uint32_t> spirv_bindings(std::span<const std::uint32_t> module) {
-    return decoration_values(module, kBinding);
+std::vector<SpirvBinding> spirv_bindings(std::span<const std::uint32_t> module) {
+    std::map<std::uint32_t, SpirvBinding> variables;
+    for (const SpirvDecoration& found : spirv_decorations(module)) {
+        if (found.decoration == kBinding) variables[found.target].number = found.value;
+    }
+    for (const SpirvDecoration& found : spirv_decorations(module)) {
+        const auto variable = variables.find(found.target);
+        if (found.decoration == kDescriptorSet && variable != variables.end())
+            variable->second.set = found.value;
+    }
+    for_each_instruction(module, [&](std::uint32_t operation, std::span<const std::uint32_t> words) {
+        // Operands: type, result, storage class.
+        if (operation != kOpVariable) return;
+        const auto variable = variables.find(words[1]);
+        if (variable != variables.end()) variable->second.is_uniform = words[2] == kUniform;
+    });
+    std::set<SpirvBinding> bindings;
+    for (const auto& [id, binding] : variables)
+        bindings.insert(binding);
+    return {bindings.begin(), bindings.end()};
 }
 
 std::vector<std::uint32_t> spirv_specialization_ids(std::span<const std::uint32_t> module) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,8 +19,17 @@ struct SpirvDecoration {
 /// All decorations of a module, in order.
 std::vector<SpirvDecoration> spirv_decorations(std::span<const std::uint32_t> module);
 
-/// The binding numbers a module declares, ascending.
-std::vector<std::uint32_t> spirv_bindings(std::span<const std::uint32_t> module);
+/// A buffer that a module declares.
+struct SpirvBinding {
+    std::uint32_t number = 0;
+    std::uint32_t set = 0;
+    bool is_uniform = false;  ///< a uniform block; else a storage buffer
+
+    friend auto operator<=>(const SpirvBinding&, const SpirvBinding&) = default;
+};
+
+/// The buffers a module declares, by ascending number.
+std::vector<SpirvBinding> spirv_bindings(std::span<const std::uint32_t> module);
 
 /// The specialization ids a module declares, ascending.
 std::vector<std::uint32_t> spirv_specialization_ids(std::span<const std::uint32_t> module);

@@ -198,7 +198,8 @@ TEST_F(DistanceMap, DistancesAreThoseOfTheSceneAndBoundsHoldThem) {
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device(), data);
     const MapSettings settings = map_settings(16, kWorkedCapturePoint);
-    const ReflectionMaps maps(device(), data, MapKind::distance, settings, MapView());
+    std::vector<interop::ProxyPlane> planes;
+    const ReflectionMaps maps(device(), data, MapKind::distance, settings, MapView(), planes);
     DistanceMaps distances(device(), data, maps.instances(), maps.infos(), 16);
     Progress progress;
     double seconds = 0.0;

@@ -49,7 +49,8 @@ class MapSizes : public DeviceTest {
     /// What is wrong with maps of this size, or nothing if the device can hold them.
     static std::optional<std::string> refusal(const SceneData& data, MapKind kind, std::uint32_t size) {
         try {
-            const ReflectionMaps maps(device(), data, kind, settings(size), MapView());
+            std::vector<interop::ProxyPlane> planes;
+            const ReflectionMaps maps(device(), data, kind, settings(size), MapView(), planes);
             return std::nullopt;
         } catch (const UsageError& error) {
             return error.what();

@@ -48,12 +48,18 @@ class DrawnFrames : public DeviceTest {
         cache.fill(gpu_scene, 0, all_space(), light, progress);
         MapSettings settings;
         settings.size = 4;
-        const ReflectionMaps maps(device(), data, MapKind::polygon, settings, {camera, kWidth, kHeight});
-        const RoughMaps rough_maps(device(), data, rough_map_settings(MapKind::polygon, settings));
+        std::vector<interop::ProxyPlane> planes;
+        const ReflectionMaps maps(device(), data, MapKind::polygon, settings, {camera, kWidth, kHeight},
+                                  planes);
+        const RoughMaps rough_maps(device(), data, rough_map_settings(MapKind::polygon, settings), planes);
+        const Buffer plane_buffer = make_buffer<interop::ProxyPlane>(device(), planes, "planes");
+        const Buffer frame(device(), sizeof(interop::FrameInfo), "frame");
         Bindings bindings = gpu_scene.bindings();
         bindings.merge(cache.bindings());
         bindings.merge(maps.bindings());
         bindings.merge(rough_maps.bindings());
+        bindings[interop::BINDING_PROXY_PLANES] = &plane_buffer;
+        bindings[interop::BINDING_FRAME] = &frame;
         FrameDrawer drawer(device(), data, gpu_scene.specialization(), bindings, nullptr, kWidth, kHeight);
         drawer.warm_up();
         const auto info = make_camera_info(camera, data.origin, kWidth, kHeight);

@@ -3,26 +3,17 @@
 // plane.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_scalar_block_layout : require
-#include "interop/bindings.h"
-#include "interop/distance_map.h"
-#include "interop/specialization.h"
+#define DISTANCE_SAMPLES_ACCESS
+#include "kernels/distances/inverse_depth.glsl"
+#include "lib/distance_bounds.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(constant_id = SPEC_DISTANCE_SIZE) const uint DISTANCE_SIZE = 256u;
-
 layout(push_constant, scalar) uniform Push { BoundDistancesPush push; };
 
-layout(scalar, binding = BINDING_DISTANCE_SAMPLES) restrict buffer DistanceSamples {
-    DistanceSample distance_samples[];
-};
-layout(scalar, binding = BINDING_DISTANCE_BOUNDS) writeonly restrict buffer DistanceBoundsBuffer {
+layout(scalar, set = METHOD_SET, binding = BINDING_DISTANCE_BOUNDS) writeonly restrict buffer DistanceBoundsBuffer {
     DistanceBounds distance_bounds[];
 };
-
-#include "lib/inverse_depth.glsl"
-#include "lib/distance_bounds.glsl"
 
 void widen(inout DistanceBounds bounds, float value) {
     if (value != 0.0) bounds.nearest = min(bounds.nearest, abs(value));
@@ -52,20 +43,19 @@ float bend_at(uint first, uvec2 at) {
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= DISTANCE_SIZE * DISTANCE_SIZE) return;
-    uint stride = DISTANCE_SIZE + 2u * DISTANCE_BORDER;
     // Where the sample of a neighbour is, counted from the border's corner.
     uvec2 first = uvec2(index % DISTANCE_SIZE, index / DISTANCE_SIZE);
     DistanceBounds bounds = DistanceBounds(INFINITY, 0.0);
     // Three by three centres, and the four by four corners around them.
     for (uint y = 0u; y < 4u; ++y) {
         for (uint x = 0u; x < 4u; ++x) {
-            uvec2 at = min(first + uvec2(x, y), uvec2(stride - 1u));
-            DistanceSample found = distance_samples[push.first_source + at.y * stride + at.x];
+            uvec2 at = min(first + uvec2(x, y), uvec2(DISTANCE_STRIDE - 1u));
+            DistanceSample found = distance_samples[push.first_source + at.y * DISTANCE_STRIDE + at.x];
             widen(bounds, found.corner);
             if (x < 3u && y < 3u) widen(bounds, found.centre);
         }
     }
     distance_bounds[push.first_bounds + index] = bounds;
     uvec2 at = first + DISTANCE_BORDER;
-    distance_samples[push.first_source + at.y * stride + at.x].bend = bend_at(push.first_source, at);
+    distance_samples[push.first_source + at.y * DISTANCE_STRIDE + at.x].bend = bend_at(push.first_source, at);
 }

@@ -4,27 +4,23 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/bindings.h"
-#include "interop/distance_map.h"
 #include "interop/radiance_bounds.h"
-#include "interop/specialization.h"
+#include "lib/distance_constants.glsl"
 #include "lib/numeric.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(constant_id = SPEC_DISTANCE_SIZE) const uint DISTANCE_SIZE = 256u;
-
 layout(push_constant, scalar) uniform Push { BoundDistancesPush push; };
 
-layout(scalar, binding = BINDING_RADIANCE_SAMPLES) readonly restrict buffer RadianceSamples {
+layout(scalar, set = METHOD_SET, binding = BINDING_RADIANCE_SAMPLES) readonly restrict buffer RadianceSamples {
     RadianceSample radiance_samples[];
 };
-layout(scalar, binding = BINDING_DARKEST) writeonly restrict buffer Darkest { vec3 darkest[]; };
-layout(scalar, binding = BINDING_BRIGHTEST) writeonly restrict buffer Brightest { vec3 brightest[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_DARKEST) writeonly restrict buffer Darkest { vec3 darkest[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_BRIGHTEST) writeonly restrict buffer Brightest { vec3 brightest[]; };
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= DISTANCE_SIZE * DISTANCE_SIZE) return;
-    uint stride = DISTANCE_SIZE + 2u * DISTANCE_BORDER;
     // Where the sample of a neighbour is, counted from the border's corner.
     uvec2 first = uvec2(index % DISTANCE_SIZE, index / DISTANCE_SIZE);
     vec3 least = vec3(INFINITY);
@@ -32,8 +28,8 @@ void main() {
     // Three by three centres, and the four by four corners around them.
     for (uint y = 0u; y < 4u; ++y) {
         for (uint x = 0u; x < 4u; ++x) {
-            uvec2 at = min(first + uvec2(x, y), uvec2(stride - 1u));
-            RadianceSample found = radiance_samples[at.y * stride + at.x];
+            uvec2 at = min(first + uvec2(x, y), uvec2(DISTANCE_STRIDE - 1u));
+            RadianceSample found = radiance_samples[at.y * DISTANCE_STRIDE + at.x];
             least = min(least, found.corner);
             largest = max(largest, found.corner);
             if (x < 3u && y < 3u) {

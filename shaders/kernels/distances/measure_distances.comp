@@ -2,21 +2,17 @@
 // How far what surrounds a reflector is from its capture point: two rays a texel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "interop/distance_map.h"
+#define DISTANCE_SAMPLES_ACCESS writeonly
+#include "kernels/distances/distance_samples.glsl"
+#include "kernels/scene/surface.glsl"
 #include "lib/bsdf.glsl"
 #include "lib/cube.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(constant_id = SPEC_DISTANCE_SIZE) const uint DISTANCE_SIZE = 256u;
 layout(constant_id = SPEC_TELLS_RADIANCE) const bool TELLS_RADIANCE = false;
 
 layout(push_constant, scalar) uniform Push { MeasureDistancesPush push; };
-
-layout(scalar, binding = BINDING_DISTANCE_SAMPLES) writeonly restrict buffer DistanceSamples {
-    DistanceSample distance_samples[];
-};
 
 /// What a ray from the capture point meets, as DistanceSample has it.
 /// @param direction unit
@@ -51,7 +47,6 @@ float measure(vec2 place) {
 void main() {
     uint index = push.begin + gl_GlobalInvocationID.x;
     if (index >= push.end) return;
-    uint stride = DISTANCE_SIZE + 2u * DISTANCE_BORDER;
-    vec2 texel = vec2(index % stride, index / stride) - float(DISTANCE_BORDER);
+    vec2 texel = vec2(index % DISTANCE_STRIDE, index / DISTANCE_STRIDE) - float(DISTANCE_BORDER);
     distance_samples[push.first_sample + index] = DistanceSample(measure(texel + 0.5), measure(texel), 0.0);
 }

@@ -3,20 +3,17 @@
 // measure_distances.comp sends.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "interop/distance_map.h"
 #include "interop/radiance_bounds.h"
-#include "kernels/light/light_cache_bindings.glsl"
-#include "lib/bsdf.glsl"
+#include "kernels/light/kept_light.glsl"
+#include "kernels/scene/surface.glsl"
 #include "lib/cube.glsl"
+#include "lib/distance_constants.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(constant_id = SPEC_DISTANCE_SIZE) const uint DISTANCE_SIZE = 256u;
-
 layout(push_constant, scalar) uniform Push { MeasureRadiancePush push; };
 
-layout(scalar, binding = BINDING_RADIANCE_SAMPLES) writeonly restrict buffer RadianceSamples {
+layout(scalar, set = METHOD_SET, binding = BINDING_RADIANCE_SAMPLES) writeonly restrict buffer RadianceSamples {
     RadianceSample radiance_samples[];
 };
 
@@ -35,7 +32,6 @@ vec3 measure(vec2 place) {
 void main() {
     uint index = push.begin + gl_GlobalInvocationID.x;
     if (index >= push.end) return;
-    uint stride = DISTANCE_SIZE + 2u * DISTANCE_BORDER;
-    vec2 texel = vec2(index % stride, index / stride) - float(DISTANCE_BORDER);
+    vec2 texel = vec2(index % DISTANCE_STRIDE, index / DISTANCE_STRIDE) - float(DISTANCE_BORDER);
     radiance_samples[index] = RadianceSample(measure(texel + 0.5), measure(texel));
 }

@@ -11,7 +11,7 @@ layout(local_size_x = 64) in;
 
 layout(push_constant, scalar) uniform Push { BoundDistancesPush push; };
 
-layout(scalar, binding = BINDING_DISTANCE_BOUNDS) restrict buffer DistanceBoundsBuffer { DistanceBounds distance_bounds[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_DISTANCE_BOUNDS) restrict buffer DistanceBoundsBuffer { DistanceBounds distance_bounds[]; };
 
 void main() {
     uint index = gl_GlobalInvocationID.x;

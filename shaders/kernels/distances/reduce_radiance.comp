@@ -10,8 +10,8 @@ layout(local_size_x = 64) in;
 
 layout(push_constant, scalar) uniform Push { BoundDistancesPush push; };
 
-layout(scalar, binding = BINDING_DARKEST) restrict buffer Darkest { vec3 darkest[]; };
-layout(scalar, binding = BINDING_BRIGHTEST) restrict buffer Brightest { vec3 brightest[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_DARKEST) restrict buffer Darkest { vec3 darkest[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_BRIGHTEST) restrict buffer Brightest { vec3 brightest[]; };
 
 void main() {
     uint index = gl_GlobalInvocationID.x;

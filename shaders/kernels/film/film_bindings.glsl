@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What kernels that render into a film share: push constants, film, counters, and which pixel an invocation works on.
+// What kernels that render into a film share: push constants, film, and which pixel an invocation works on.
+#ifndef UTSURI_KERNELS_FILM_FILM_BINDINGS
+#define UTSURI_KERNELS_FILM_FILM_BINDINGS
+#extension GL_EXT_scalar_block_layout : require
+
 #include "interop/bindings.h"
 #include "interop/frame.h"
+#include "interop/specialization.h"
 #include "lib/camera.glsl"
 #include "lib/film.glsl"
 
@@ -11,8 +16,7 @@ layout(constant_id = SPEC_PROJECTION) const uint PROJECTION = PROJECTION_PERSPEC
 
 layout(push_constant, scalar) uniform Push { FramePush push; };
 
-layout(scalar, binding = BINDING_FILM) restrict buffer Film { FilmPixel film[]; };
-layout(scalar, binding = BINDING_COUNTERS) restrict buffer CounterBuffer { Counters counters; };
+layout(scalar, set = METHOD_SET, binding = BINDING_FILM) restrict buffer Film { FilmPixel film[]; };
 
 /// Position in a tile of the invocation: neighbours in a subgroup form compact blocks (4x2 of 8, 8x4 of 32), because
 /// rays of neighbouring pixels take similar ways.
@@ -33,11 +37,4 @@ vec3 camera_direction(vec2 pixels) {
                                                : perspective_direction(push.camera, p);
 }
 
-void count(Counters totals) {
-    atomicAdd(counters.rays, totals.rays);
-    if (totals.nonfinite > 0u) atomicAdd(counters.nonfinite, totals.nonfinite);
-    if (totals.lookups > 0u) atomicAdd(counters.lookups, totals.lookups);
-    if (totals.traced > 0u) atomicAdd(counters.traced, totals.traced);
-    if (totals.truncated > 0u) atomicAdd(counters.truncated, totals.truncated);
-    if (totals.incomplete > 0u) atomicAdd(counters.incomplete, totals.incomplete);
-}
+#endif

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The loop over the samples of a pixel.
+#ifndef UTSURI_KERNELS_FILM_FILM_MAIN
+#define UTSURI_KERNELS_FILM_FILM_MAIN
+#include "kernels/film/counters.glsl"
+#include "kernels/film/film_bindings.glsl"
 #include "lib/sampler.glsl"
 
-/// Radiance arriving along a camera ray; `key` and `index` are the sampler's. Defined by the including kernel.
+/// Radiance arriving along a camera ray; `key` and `index` are the sampler's. The kernel defines it.
 vec3 sample_radiance(vec3 origin, vec3 direction, uint key, uint index, inout Counters totals);
 
 void render_pixel() {
@@ -31,3 +35,5 @@ void render_pixel() {
     film[slot] = state;
     count(totals);
 }
+
+#endif

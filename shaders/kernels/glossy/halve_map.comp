@@ -16,8 +16,8 @@ layout(constant_id = SPEC_KEEPS_DISTANCES) const bool KEEPS_DISTANCES = false;
 
 layout(push_constant, scalar) uniform Push { HalveMapPush push; };
 
-layout(scalar, binding = BINDING_MAP_TEXELS) restrict buffer MapTexels { vec3 map_texels[]; };
-layout(scalar, binding = BINDING_MAP_INVERSE_DISTANCES) restrict buffer MapInverseDistances {
+layout(scalar, set = METHOD_SET, binding = BINDING_MAP_TEXELS) restrict buffer MapTexels { vec3 map_texels[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_MAP_INVERSE_DISTANCES) restrict buffer MapInverseDistances {
     float map_inverse_distances[];
 };
 

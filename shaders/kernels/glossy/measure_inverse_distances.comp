@@ -2,17 +2,16 @@
 // How far what surrounds a rough surface is from its capture point: one ray a texel of what its maps are made of.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
 #include "interop/rough_map.h"
 #include "lib/cube.glsl"
-#include "lib/traversal.glsl"
+#include "kernels/scene/traversal.glsl"
 
 layout(local_size_x = 64) in;
 
 layout(push_constant, scalar) uniform Push { MeasureInverseDistancesPush push; };
 
 /// One over metres; 0 where nothing is met.
-layout(scalar, binding = BINDING_MAP_INVERSE_DISTANCES) writeonly restrict buffer MapInverseDistances {
+layout(scalar, set = METHOD_SET, binding = BINDING_MAP_INVERSE_DISTANCES) writeonly restrict buffer MapInverseDistances {
     float map_inverse_distances[];
 };
 

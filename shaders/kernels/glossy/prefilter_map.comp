@@ -18,12 +18,12 @@ layout(constant_id = SPEC_KEEPS_DISTANCES) const bool KEEPS_DISTANCES = false;
 
 layout(push_constant, scalar) uniform Push { PrefilterMapPush push; };
 
-layout(scalar, binding = BINDING_MAP_TEXELS) readonly restrict buffer MapTexels { vec3 map_texels[]; };
-layout(scalar, binding = BINDING_ROUGH_TEXELS) writeonly restrict buffer RoughTexels { vec3 rough_texels[]; };
-layout(scalar, binding = BINDING_MAP_INVERSE_DISTANCES) readonly restrict buffer MapInverseDistances {
+layout(scalar, set = METHOD_SET, binding = BINDING_MAP_TEXELS) readonly restrict buffer MapTexels { vec3 map_texels[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_ROUGH_TEXELS) writeonly restrict buffer RoughTexels { vec3 rough_texels[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_MAP_INVERSE_DISTANCES) readonly restrict buffer MapInverseDistances {
     float map_inverse_distances[];
 };
-layout(scalar, binding = BINDING_ROUGH_INVERSE_DISTANCES) writeonly restrict buffer RoughInverseDistances {
+layout(scalar, set = METHOD_SET, binding = BINDING_ROUGH_INVERSE_DISTANCES) writeonly restrict buffer RoughInverseDistances {
     float rough_inverse_distances[];
 };
 

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The direction in which the capture point sees what a mirrored ray meets, told by how far away the light is that the rough
 // lobe reflects there: a mean over the lobe, so that it bends as little as what is looked up.
+#ifndef UTSURI_KERNELS_GLOSSY_ROUGH_DISTANCE
+#define UTSURI_KERNELS_GLOSSY_ROUGH_DISTANCE
+
+#include "kernels/glossy/rough_levels.glsl"
+
+layout(scalar, set = METHOD_SET, binding = BINDING_ROUGH_INVERSE_DISTANCES) readonly restrict buffer RoughInverseDistances {
+    float rough_inverse_distances[];
+};
 
 /// Places of the ray that texels are read for, beside the one at infinity: in a box of a room, rays that leave one of its
 /// walls are then 0.0018 rad off in the mean as seen from the middle of that wall, 0.01 rad after two.
@@ -61,3 +69,5 @@ vec3 direction_of_rough_hit(RoughLobe lobe, vec3 origin, vec3 direction) {
     vec3 place = s * origin + direction;
     return place == vec3(0.0) ? direction : place;
 }
+
+#endif

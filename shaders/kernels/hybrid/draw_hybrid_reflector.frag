@@ -3,12 +3,9 @@
 // the tolerance, and traced elsewhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "interop/frame.h"
-#include "kernels/raster/view_push.glsl"
-#include "kernels/raster/drawn_light.glsl"
-#include "kernels/maps/map_lookup.glsl"
-#include "kernels/distances/search_bindings.glsl"
-#include "kernels/hybrid/drawn_prediction.glsl"
-#include "kernels/hybrid/look_up_by_place.glsl"
 #include "kernels/hybrid/hybrid_reflector.glsl"
+#include "kernels/hybrid/look_up_by_place.glsl"
+
+void main() {
+    draw_hybrid_reflector();
+}

@@ -4,14 +4,9 @@
 // the ray meets is then among what arrives from where that can lie.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "interop/frame.h"
-#include "kernels/raster/view_push.glsl"
-#include "kernels/raster/drawn_light.glsl"
-#include "kernels/maps/map_lookup.glsl"
-#include "kernels/distances/search_bindings.glsl"
-#include "kernels/distances/radiance_bindings.glsl"
+#include "kernels/distances/radiance_bounds.glsl"
 #include "kernels/hybrid/drawn_prediction.glsl"
+#include "kernels/hybrid/hybrid_reflector.glsl"
 
 bool look_up(Surface surface, vec3 wo, out vec3 radiance) {
     DrawnReflection reflection = drawn_reflection_of(surface, wo);
@@ -21,7 +16,9 @@ bool look_up(Surface surface, vec3 wo, out vec3 radiance) {
     radiance = polygon_map(reflection.probe, seen_along(ray, interval.guess));
     RadianceBounds truth =
         bounds_along(distance_maps[reflection.probe].first_bounds, seen_along(ray, interval.t0), seen_along(ray, interval.t1));
-    return relative_error(radiance, truth) <= push.tolerance;
+    return relative_error(radiance, truth) <= frame.tolerance;
 }
 
-#include "kernels/hybrid/hybrid_reflector.glsl"
+void main() {
+    draw_hybrid_reflector();
+}

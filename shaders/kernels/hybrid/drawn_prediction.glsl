@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a drawn reflector's look-up is held against: the ray that it stands in for, where that can meet the scene, and what
 // a pixel sees of the mirror.
+#ifndef UTSURI_KERNELS_HYBRID_DRAWN_PREDICTION
+#define UTSURI_KERNELS_HYBRID_DRAWN_PREDICTION
+
+#include "kernels/distances/probe_search.glsl"
+#include "kernels/hybrid/prediction.glsl"
 #include "kernels/raster/drawn_shape.glsl"
-#include "lib/prediction.glsl"
+#include "kernels/raster/map_lookup.glsl"
+#include "kernels/raster/view.glsl"
+#include "lib/bsdf.glsl"
 
 struct DrawnReflection {
     uint probe;
@@ -13,8 +20,8 @@ struct DrawnReflection {
 
 /// The angle that a pixel covers, at least: towards the picture's edges pixels are seen from farther away and slantwise.
 float pixel_angle() {
-    float cosine = dot(normalize_any_scale(drawn_from_eye), push.camera.forward);
-    return 2.0 * length(push.camera.up) * push.pixel.y * cosine * cosine;
+    float cosine = dot(normalize_any_scale(drawn_from_eye), image.camera.forward);
+    return 2.0 * length(image.camera.up) * frame.pixel_size.y * cosine * cosine;
 }
 
 bool leaves_front(Surface surface) {
@@ -51,12 +58,12 @@ DrawnReflection drawn_reflection_of(Surface surface, vec3 wo) {
     return with_hit(search_probe(drawn_probe(surface, wi), surface.position, wi), surface, wo);
 }
 
-/// Whether what is seen where a reflection's interval guesses that the ray ends is predicted to be within push.tolerance.
+/// Whether what is seen where a reflection's interval guesses that the ray ends is predicted to be within frame.tolerance.
 bool is_within_tolerance(DrawnReflection reflection) {
     vec3 direction = seen_along(reflection.ray, reflection.interval.guess);
     Prediction prediction = predict(reflection.ray, reflection.interval, reflection.footprint, direction, direction,
                                     texel_angle(reflection.probe, direction));
-    return prediction.pixels <= push.tolerance;
+    return prediction.pixels <= frame.tolerance;
 }
 
 /// The cheapest look-up that is right enough: along the mirrored ray, if all that surrounds the reflector is far enough for
@@ -84,7 +91,7 @@ bool find_within_tolerance(Surface surface, vec3 wo, out DrawnReflection reflect
 
 /// What the method looks up and knows. Methods other than `hybrid` have a tolerance of 0, and no texel is that small.
 DrawnReflection looked_up_reflection_of(Surface surface, vec3 wo) {
-    if (MAP_KIND != MAP_KIND_DISTANCE || push.tolerance == 0.0) return drawn_reflection_of(surface, wo);
+    if (MAP_KIND != MAP_KIND_DISTANCE || frame.tolerance == 0.0) return drawn_reflection_of(surface, wo);
     DrawnReflection reflection;
     find_within_tolerance(surface, wo, reflection);
     return reflection;
@@ -99,3 +106,5 @@ vec3 looked_up_direction_of(Surface surface, DrawnReflection reflection, vec3 wa
     if (MAP_KIND == MAP_KIND_DISTANCE) return wanted;
     return looked_up_direction(surface, reflection.probe, reflection.ray.direction);
 }
+
+#endif

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a mirror shows, looked up in its maps where that is predicted to be right enough, and traced elsewhere. The including
-// kernel defines before what that means:
-//   bool look_up(Surface surface, vec3 wo, out vec3 radiance);  false where it is not right enough
+// What a mirror shows, looked up in its maps where that is predicted to be right enough, and traced elsewhere.
+#ifndef UTSURI_KERNELS_HYBRID_HYBRID_LIGHT
+#define UTSURI_KERNELS_HYBRID_HYBRID_LIGHT
+
 #include "kernels/hybrid/traced_reflection.glsl"
 #include "lib/image_state.glsl"
+
+/// What the maps show, and whether that is right enough. The kernel defines it.
+bool look_up(Surface surface, vec3 wo, out vec3 radiance);
 
 /// @param reflections that lie between the surface and the eye
 /// @param state is set to how it was found; a chain that has as many reflections as there may be is cut, as traced ones are
@@ -11,7 +15,7 @@ vec3 hybrid_light(Surface surface, vec3 wo, uint reflections, out float state) {
     vec3 reflected;
     uint rays = 0u;
     if (!look_up(surface, wo, reflected)) {
-        if (reflections >= push.specular_depth) {
+        if (reflections >= frame.specular_depth) {
             state = truncated_at(reflections + 1u);
             return vec3(0.0);
         }
@@ -20,3 +24,5 @@ vec3 hybrid_light(Surface surface, vec3 wo, uint reflections, out float state) {
     state = found_by(reflections, rays);
     return specular_reflectance(surface, abs(dot(surface.ns, wo))) * reflected;
 }
+
+#endif

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A reflector whose pixels show hybrid_light.glsl, which tells what the including kernel defines before.
-#include "kernels/hybrid/hybrid_light.glsl"
+// A reflector whose pixels show hybrid_light.glsl.
+#ifndef UTSURI_KERNELS_HYBRID_HYBRID_REFLECTOR
+#define UTSURI_KERNELS_HYBRID_HYBRID_REFLECTOR
 
-void main() {
+#include "kernels/hybrid/hybrid_light.glsl"
+#include "kernels/raster/drawn_light.glsl"
+
+void draw_hybrid_reflector() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
@@ -10,3 +14,5 @@ void main() {
     if (is_specular(surface)) radiance += hybrid_light(surface, wo, 0u, found);
     drawn = vec4(radiance, found);
 }
+
+#endif

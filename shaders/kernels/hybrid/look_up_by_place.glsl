@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Right enough is what is predicted to be less pixels off its place than the tolerance. Comes after drawn_prediction.glsl.
+// Right enough is what is predicted to be less pixels off its place than the tolerance.
+#ifndef UTSURI_KERNELS_HYBRID_LOOK_UP_BY_PLACE
+#define UTSURI_KERNELS_HYBRID_LOOK_UP_BY_PLACE
+
+#include "kernels/hybrid/drawn_prediction.glsl"
+#include "kernels/hybrid/hybrid_light.glsl"
 
 bool look_up(Surface surface, vec3 wo, out vec3 radiance) {
     DrawnReflection reflection;
@@ -7,3 +12,5 @@ bool look_up(Surface surface, vec3 wo, out vec3 radiance) {
     radiance = polygon_map(reflection.probe, seen_along(reflection.ray, reflection.interval.guess));
     return true;
 }
+
+#endif

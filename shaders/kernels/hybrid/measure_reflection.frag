@@ -3,12 +3,8 @@
 // many pixels it is off, how far the ray goes (infinity: for ever), and whether the capture point sees what it meets (1).
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "kernels/raster/view_push.glsl"
-#include "kernels/raster/drawn_light.glsl"
-#include "kernels/maps/map_lookup.glsl"
-#include "kernels/distances/search_bindings.glsl"
 #include "kernels/hybrid/drawn_prediction.glsl"
+#include "kernels/raster/drawn_light.glsl"
 
 /// @param point where the mirrored ray meets `triangle`
 bool is_seen_from_capture_point(vec3 capture_point, uint instance, vec3 point, uint triangle) {

@@ -3,12 +3,8 @@
 // all of them in pixels.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "kernels/raster/view_push.glsl"
-#include "kernels/raster/drawn_light.glsl"
-#include "kernels/maps/map_lookup.glsl"
-#include "kernels/distances/search_bindings.glsl"
 #include "kernels/hybrid/drawn_prediction.glsl"
+#include "kernels/raster/drawn_light.glsl"
 
 void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);

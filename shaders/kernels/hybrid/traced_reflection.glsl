@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a mirror shows, by a ray. Comes after drawn_light.glsl.
-#include "kernels/light/cached_surface_light.glsl"
-#include "kernels/trace/specular_chain.glsl"
+// What a mirror shows, by a ray.
+#ifndef UTSURI_KERNELS_HYBRID_TRACED_REFLECTION
+#define UTSURI_KERNELS_HYBRID_TRACED_REFLECTION
 
-/// @param reflections that lie between the surface and the eye, less than push.specular_depth
+#include "kernels/raster/drawn_surface.glsl"
+#include "kernels/raster/view.glsl"
+#include "kernels/trace/kept_surface_light.glsl"
+
+/// @param reflections that lie between the surface and the eye, less than frame.specular_depth
 /// @param rays is set to how many it took
 vec3 traced_radiance(Surface seen, vec3 wo, uint reflections, out uint rays) {
     // A ray leaves the surface from where rays would hit it.
     Surface surface = make_surface(Hit(0.0, seen.triangle, drawn_place.x, drawn_place.y), -wo);
     vec3 wi = mirror_direction(surface, wo);
     Counters totals = Counters(0u, 0u, 0u, 0u, 0u, 0u);
-    uint key = sampler_key(uvec2(gl_FragCoord.xy), push.seed, push.sample_index & 1u);
-    Ray ray = make_ray(leave_surface(surface, wi), wi, surface.triangle, push.excluded_instance);
-    vec3 radiance = follow_chain(ray, reflections + 1u, key, push.sample_index >> 1, totals);
+    uint key = sampler_key(uvec2(gl_FragCoord.xy), frame.seed, frame.sample_index & 1u);
+    Ray ray = make_ray(leave_surface(surface, wi), wi, surface.triangle, NONE);
+    vec3 radiance = follow_chain(ray, reflections + 1u, frame.specular_depth, key, frame.sample_index >> 1, totals);
     rays = totals.rays;
     return radiance;
 }
+
+#endif

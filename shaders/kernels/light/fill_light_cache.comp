@@ -2,13 +2,13 @@
 // Direct light at the points of the light cache, on both sides of each triangle, where a change can reach it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "interop/frame.h"
 #include "interop/light_cache.h"
-#include "lib/direct_light.glsl"
+#include "kernels/film/counters.glsl"
+#include "kernels/light/lattices.glsl"
+#include "kernels/scene/direct_light.glsl"
 #include "lib/lattice.glsl"
 #include "lib/light_reach.glsl"
-#include "lib/unshadowed_light.glsl"
+#include "kernels/scene/unshadowed_light.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -16,13 +16,9 @@ layout(constant_id = SPEC_SUMS_LIGHTS) const bool SUMS_LIGHTS = false;
 
 layout(push_constant, scalar) uniform Push { LightCachePush push; };
 
-layout(scalar, binding = BINDING_LIGHT_CACHE_TRIANGLES) readonly restrict buffer CacheTriangles {
-    LightCacheTriangle cache_triangles[];
-};
-layout(scalar, binding = BINDING_LIGHT_BOUNDS) readonly restrict buffer LightBoundsBuffer { LightBounds light_bounds[]; };
-layout(scalar, binding = BINDING_CHANGED_BOXES) readonly restrict buffer ChangedBoxes { ChangedBox changed_boxes[]; };
-layout(scalar, binding = BINDING_COUNTERS) restrict buffer CounterBuffer { Counters counters; };
-layout(scalar, binding = BINDING_LIGHT_CACHE_POINTS) writeonly restrict buffer CachePoints { LightCachePoint cache_points[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_BOUNDS) readonly restrict buffer LightBoundsBuffer { LightBounds light_bounds[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_CHANGED_BOXES) readonly restrict buffer ChangedBoxes { ChangedBox changed_boxes[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_CACHE_POINTS) writeonly restrict buffer CachePoints { LightCachePoint cache_points[]; };
 
 /// The triangle whose lattice holds a point: the last that begins at or before it.
 uint triangle_of(uint point) {

@@ -11,8 +11,8 @@ layout(local_size_x = 64) in;
 
 layout(push_constant, scalar) uniform Push { ResolveMapPush push; };
 
-layout(scalar, binding = BINDING_FILM) readonly restrict buffer Film { FilmPixel film[]; };
-layout(scalar, binding = BINDING_MAP_TEXELS) writeonly restrict buffer MapTexels { vec3 map_texels[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_FILM) readonly restrict buffer Film { FilmPixel film[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_MAP_TEXELS) writeonly restrict buffer MapTexels { vec3 map_texels[]; };
 
 void main() {
     uint texel = gl_GlobalInvocationID.x;

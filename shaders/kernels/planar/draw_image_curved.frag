@@ -2,11 +2,9 @@
 // What a pixel of an image shows of a curved mirror: what its maps hold.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "kernels/planar/image_push.glsl"
 #include "kernels/planar/image_pixel.glsl"
 #include "kernels/raster/drawn_light.glsl"
-#include "kernels/maps/map_lookup.glsl"
+#include "kernels/raster/map_lookup.glsl"
 
 layout(location = 1) out vec4 drawn_throughput;
 

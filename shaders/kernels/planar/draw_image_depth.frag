@@ -2,9 +2,6 @@
 // Keeps what is in front of the mirror, where the mirror shows.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_scalar_block_layout : require
-#include "interop/bindings.h"
-#include "kernels/planar/image_push.glsl"
 #include "kernels/planar/image_pixel.glsl"
 
 layout(location = 0) in float in_front;

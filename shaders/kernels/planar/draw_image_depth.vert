@@ -2,10 +2,8 @@
 // The corners of listed triangles, and how far they are in front of the mirror that they are seen in.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "interop/raster.h"
+#define VERTEX_STAGE
 #include "kernels/raster/drawn_list.glsl"
-#include "kernels/planar/image_push.glsl"
 #include "kernels/raster/drawn_projection.glsl"
 
 layout(location = 0) out float in_front;
@@ -13,5 +11,5 @@ layout(location = 0) out float in_front;
 void main() {
     vec3 corner = listed_corner();
     in_front = dot(image.normal, corner) - image.offset;
-    gl_Position = project(corner - push.camera.origin);
+    gl_Position = project(corner - image.camera.origin);
 }

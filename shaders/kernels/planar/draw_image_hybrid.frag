@@ -3,16 +3,10 @@
 // place than the tolerance, and what a ray meets elsewhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "interop/frame.h"
-#include "kernels/planar/image_push.glsl"
+#include "kernels/hybrid/hybrid_light.glsl"
+#include "kernels/hybrid/look_up_by_place.glsl"
 #include "kernels/planar/image_pixel.glsl"
 #include "kernels/raster/drawn_light.glsl"
-#include "kernels/maps/map_lookup.glsl"
-#include "kernels/distances/search_bindings.glsl"
-#include "kernels/hybrid/drawn_prediction.glsl"
-#include "kernels/hybrid/look_up_by_place.glsl"
-#include "kernels/hybrid/hybrid_light.glsl"
 
 layout(location = 1) out vec4 drawn_throughput;
 

@@ -2,8 +2,6 @@
 // What a pixel of an image shows of a plane mirror: the mirror's own light; for what it reflects the pixel waits.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "kernels/planar/image_push.glsl"
 #include "kernels/planar/image_pixel.glsl"
 #include "kernels/raster/drawn_light.glsl"
 

@@ -2,8 +2,6 @@
 // What a pixel of an image shows of a surface that is no mirror.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "kernels/planar/image_push.glsl"
 #include "kernels/planar/image_pixel.glsl"
 #include "kernels/raster/drawn_light.glsl"
 

@@ -2,9 +2,8 @@
 // What a pixel of an image shows where nothing is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "kernels/planar/image_push.glsl"
 #include "kernels/planar/image_pixel.glsl"
+#include "kernels/scene/scene_bindings.glsl"
 
 layout(early_fragment_tests) in;
 

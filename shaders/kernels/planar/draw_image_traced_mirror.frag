@@ -2,12 +2,9 @@
 // What a pixel of an image shows of a plane mirror whose own image is not drawn: the mirror's own light, and what a ray meets.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "interop/frame.h"
-#include "kernels/planar/image_push.glsl"
+#include "kernels/hybrid/traced_reflection.glsl"
 #include "kernels/planar/image_pixel.glsl"
 #include "kernels/raster/drawn_light.glsl"
-#include "kernels/hybrid/traced_reflection.glsl"
 
 layout(location = 1) out vec4 drawn_throughput;
 

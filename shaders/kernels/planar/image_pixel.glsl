@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A pixel of the image that is drawn: whether it waits for this image, what it shows so far, and what it will show.
-// The including kernel declares the push constants (kernels/planar/image_push.glsl).
+#ifndef UTSURI_KERNELS_PLANAR_IMAGE_PIXEL
+#define UTSURI_KERNELS_PLANAR_IMAGE_PIXEL
+
+#include "kernels/raster/view.glsl"
 #include "lib/image_state.glsl"
 
-layout(scalar, binding = BINDING_DRAWN) readonly restrict buffer Drawn { vec4 drawn_before[]; };
-layout(scalar, binding = BINDING_THROUGHPUT) readonly restrict buffer Throughputs { vec4 throughput_before[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_DRAWN) readonly restrict buffer Drawn { vec4 drawn_before[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_THROUGHPUT) readonly restrict buffer Throughputs { vec4 throughput_before[]; };
 
 uint pixel_index() {
-    return uint(gl_FragCoord.y) * image.width + uint(gl_FragCoord.x);
+    return uint(gl_FragCoord.y) * frame.width + uint(gl_FragCoord.x);
 }
 
 bool waits_for_this_image() {
@@ -25,3 +28,5 @@ vec4 with_light(vec3 radiance, float state) {
 vec3 with_reflectance(vec3 reflectance) {
     return image.number == IMAGE_OF_EYE ? reflectance : throughput_before[pixel_index()].rgb * reflectance;
 }
+
+#endif

@@ -13,10 +13,10 @@ layout(local_size_x = 64) in;
 
 layout(push_constant, scalar) uniform Push { AddDrawnPush push; };
 
-layout(scalar, binding = BINDING_FILM) restrict buffer Film { FilmPixel film[]; };
-layout(scalar, binding = BINDING_DRAWN) readonly restrict buffer Drawn { vec4 drawn[]; };
-layout(scalar, binding = BINDING_COUNTERS) restrict buffer CounterBuffer { Counters counters; };
-layout(scalar, binding = BINDING_MAP_STATES) readonly restrict buffer MapStates { uint wanted_maps; };
+layout(scalar, set = METHOD_SET, binding = BINDING_FILM) restrict buffer Film { FilmPixel film[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_DRAWN) readonly restrict buffer Drawn { vec4 drawn[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_COUNTERS) restrict buffer CounterBuffer { Counters counters; };
+layout(scalar, set = METHOD_SET, binding = BINDING_MAP_STATES) readonly restrict buffer MapStates { uint wanted_maps; };
 
 void main() {
     uint pixel = gl_GlobalInvocationID.x;

@@ -2,18 +2,11 @@
 // The corners of the pieces of polygons that were cut.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "interop/light_cache.h"
-#include "interop/raster.h"
-#include "interop/reflection.h"
-#include "lib/surface.glsl"
-#include "kernels/raster/drawn_triangle.glsl"
-#include "kernels/raster/drawn_vertex.glsl"
-#include "kernels/reflectors/reflector_bindings.glsl"
+#define VERTEX_STAGE
 #include "kernels/raster/drawn_piece.glsl"
 
-layout(scalar, binding = BINDING_CUT_PIECES) readonly restrict buffer CutPieces { Piece cut_pieces[]; };
-layout(scalar, binding = BINDING_CUT_CORNERS) readonly restrict buffer CutCorners { PieceCorner cut_corners[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_CUT_PIECES) readonly restrict buffer CutPieces { Piece cut_pieces[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_CUT_CORNERS) readonly restrict buffer CutCorners { PieceCorner cut_corners[]; };
 
 void main() {
     Piece piece = cut_pieces[uint(gl_VertexIndex) / 3u];

@@ -2,11 +2,10 @@
 // The corners of listed triangles and nothing else: drawn first, so that only what is visible is shaded.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "interop/raster.h"
+#define VERTEX_STAGE
 #include "kernels/raster/drawn_list.glsl"
-#include "kernels/raster/drawn_vertex.glsl"
+#include "kernels/raster/drawn_projection.glsl"
 
 void main() {
-    gl_Position = project(listed_corner() - push.camera.origin);
+    gl_Position = project(listed_corner() - image.camera.origin);
 }

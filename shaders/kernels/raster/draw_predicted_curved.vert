@@ -2,16 +2,9 @@
 // The corners of listed triangles that reflect like curved mirrors, with the maps they look up and the shape about them.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "interop/light_cache.h"
-#include "interop/raster.h"
-#include "lib/surface.glsl"
-#include "kernels/raster/drawn_list.glsl"
-#include "kernels/raster/drawn_triangle.glsl"
-#include "kernels/raster/drawn_shape.glsl"
-#include "kernels/raster/drawn_vertex.glsl"
+#define VERTEX_STAGE
 #include "kernels/raster/listed_reflector.glsl"
-#include "kernels/reflectors/polygon_shape.glsl"
+#include "kernels/raster/polygon_shape.glsl"
 
 void main() {
     set_listed_reflector();

@@ -2,10 +2,8 @@
 // What a pixel of a reflector shows.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "kernels/raster/view_push.glsl"
 #include "kernels/raster/drawn_light.glsl"
-#include "kernels/maps/map_lookup.glsl"
+#include "kernels/raster/map_lookup.glsl"
 
 void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);

@@ -2,8 +2,6 @@
 // What a pixel of a surface that is no mirror shows.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "kernels/raster/view_push.glsl"
 #include "kernels/raster/drawn_light.glsl"
 
 void main() {

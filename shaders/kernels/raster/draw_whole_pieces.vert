@@ -2,17 +2,10 @@
 // The corners of the polygons that lie within one face.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "interop/light_cache.h"
-#include "interop/raster.h"
-#include "interop/reflection.h"
-#include "lib/surface.glsl"
-#include "kernels/raster/drawn_triangle.glsl"
-#include "kernels/raster/drawn_vertex.glsl"
-#include "kernels/reflectors/reflector_bindings.glsl"
+#define VERTEX_STAGE
 #include "kernels/raster/drawn_piece.glsl"
 
-layout(scalar, binding = BINDING_WHOLE_PIECES) readonly restrict buffer WholePieces { Piece whole_pieces[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_WHOLE_PIECES) readonly restrict buffer WholePieces { Piece whole_pieces[]; };
 
 void main() {
     Piece piece = whole_pieces[uint(gl_VertexIndex) / 3u];

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The surface that a fragment shows and the light it sends out, its mirror image excepted: diffuse light from the cache,
 // what rough lobes reflect from maps, lights without extent excepted, which no map shows.
-// The including kernel declares the push constants, with a RasterPush push.
-#include "kernels/light/light_cache_bindings.glsl"
-#include "kernels/raster/drawn_surface.glsl"
-#include "interop/raster.h"
-#include "lib/direct_light.glsl"
+#ifndef UTSURI_KERNELS_RASTER_DRAWN_LIGHT
+#define UTSURI_KERNELS_RASTER_DRAWN_LIGHT
+
 #include "kernels/glossy/rough_lookup.glsl"
+#include "kernels/light/kept_light.glsl"
+#include "kernels/raster/drawn_surface.glsl"
+#include "kernels/raster/view.glsl"
+#include "kernels/scene/direct_light.glsl"
 
 layout(early_fragment_tests) in;
 
@@ -27,7 +29,7 @@ MaterialInfo drawn_material() {
 /// The surface drawn, without what only rays that leave it need.
 Surface drawn_surface() {
     Surface surface;
-    surface.position = push.camera.origin + drawn_from_eye;
+    surface.position = image.camera.origin + drawn_from_eye;
     surface.error_bound = vec3(0.0);
     surface.triangle = drawn_ids.x;
     surface.material = drawn_ids.y;
@@ -46,8 +48,8 @@ vec3 drawn_diffuse_light(Surface surface) {
 /// The rough lobe's highlights of lights without extent. One is taken by what it would bring, so that noise is only where
 /// some are in shadow and others not.
 vec3 punctual_highlights(Surface surface, vec3 wo) {
-    uint key = sampler_key(uvec2(gl_FragCoord.xy), push.seed, push.sample_index & 1u);
-    float remaining = sample_2d(key, push.sample_index >> 1, 1u).x;
+    uint key = sampler_key(uvec2(gl_FragCoord.xy), frame.seed, frame.sample_index & 1u);
+    float remaining = sample_2d(key, frame.sample_index >> 1, 1u).x;
     Candidate taken;
     float taken_weight = 0.0;
     float sum = 0.0;
@@ -77,7 +79,7 @@ vec3 drawn_glossy_light(Surface surface, vec3 wo) {
     LobeAlbedo albedo = lobe_albedo(surface, dot(surface.ns, wo));
     vec3 normal = specular_reflectance(surface, 1.0);
     vec3 grazing = specular_reflectance(surface, 0.0);
-    vec3 radiance = (normal * albedo.constant + grazing * albedo.schlick) * rough_radiance(surface, wo);
+    vec3 radiance = (normal * albedo.constant + grazing * albedo.schlick) * rough_radiance(surface, wo, drawn_reflection);
     if (surface.metallic < 1.0) {
         float kept = 1.0 - mix(surface.f0, surface.f90, albedo.lost);
         radiance += surface.base_colour * ((1.0 - surface.metallic) * kept) * drawn_diffuse_light(surface);
@@ -97,3 +99,5 @@ vec3 drawn_light(vec3 wo, out Surface surface) {
     if (HAS_GLOSSY && is_glossy(surface)) return surface.emission + drawn_glossy_light(surface, wo);
     return surface.emission + diffuse_reflectance(surface, abs(dot(surface.ns, wo))) * drawn_diffuse_light(surface);
 }
+
+#endif

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The triangle of the scene that a vertex of a listed triangle belongs to.
+#ifndef UTSURI_KERNELS_RASTER_DRAWN_LIST
+#define UTSURI_KERNELS_RASTER_DRAWN_LIST
 
-layout(scalar, binding = BINDING_DRAW_LIST) readonly restrict buffer DrawnTriangles { uint draw_list[]; };
+#include "kernels/scene/scene_bindings.glsl"
+
+layout(scalar, set = METHOD_SET, binding = BINDING_DRAW_LIST) readonly restrict buffer DrawnTriangles { uint draw_list[]; };
 
 uint listed_triangle() {
     return draw_list[uint(gl_VertexIndex) / 3u];
@@ -12,3 +16,5 @@ vec3 listed_corner() {
     uint corner = uint(gl_VertexIndex) % 3u;
     return corner == 0u ? vertices.v0 : (corner == 1u ? vertices.v1 : vertices.v2);
 }
+
+#endif

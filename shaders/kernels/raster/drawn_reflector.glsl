@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The vertices of whole polygons of reflectors.
+#ifndef UTSURI_KERNELS_RASTER_DRAWN_REFLECTOR
+#define UTSURI_KERNELS_RASTER_DRAWN_REFLECTOR
+
+#include "kernels/raster/drawn_polygons.glsl"
+#include "kernels/raster/drawn_projection.glsl"
+#include "kernels/raster/drawn_triangle.glsl"
 #include "kernels/reflectors/polygon_probe.glsl"
 
-layout(constant_id = SPEC_MAP_KIND) const uint MAP_KIND = MAP_KIND_POLYGON;
-
-layout(scalar, binding = BINDING_DRAWN_POLYGONS) readonly restrict buffer DrawnPolygons { uint drawn_polygons[]; };
-
 void set_drawn_reflector() {
-    ReflectorTriangle polygon = reflector_triangles[drawn_polygons[uint(gl_VertexIndex) / 3u]];
+    ReflectorTriangle polygon = drawn_polygon();
     uint corner = uint(gl_VertexIndex) % 3u;
     uint vertex = polygon.vertices[corner];
     set_drawn_triangle(polygon.triangle, polygon.places[corner]);
@@ -15,6 +17,8 @@ void set_drawn_reflector() {
     drawn_ids.w = found_per_vertex ? polygon_probe(polygon) : polygon.reflector;
     VertexReflection found = vertex_reflections[vertex];
     drawn_reflection = MAP_KIND == MAP_KIND_SPHERE ? vec3(found.sphere_map, 0.0) : found.direction;
-    drawn_from_eye = reflector_vertices[vertex].position - push.camera.origin;
+    drawn_from_eye = reflector_vertices[vertex].position - image.camera.origin;
     gl_Position = project(drawn_from_eye);
 }
+
+#endif

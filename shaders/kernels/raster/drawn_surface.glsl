@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the vertex stage tells the fragment stage about the surface it draws. What is the same all over a triangle is
-// flat, which costs a pixel nothing, where reading it from buffers would.
-#ifdef DRAWN_VERTEX
+// flat, which costs a pixel nothing, where reading it from buffers would. A vertex stage defines VERTEX_STAGE before it
+// includes anything.
+#ifndef UTSURI_KERNELS_RASTER_DRAWN_SURFACE
+#define UTSURI_KERNELS_RASTER_DRAWN_SURFACE
+
+#ifdef VERTEX_STAGE
 #define DRAWN out
 #define DRAWN_FLAT flat out
 #else
@@ -19,3 +23,5 @@ layout(location = 6) DRAWN_FLAT vec3 drawn_ng;      // unit, on the front
 layout(location = 7) DRAWN_FLAT vec4 drawn_colour;  // base colour, metallic
 layout(location = 8) DRAWN_FLAT vec3 drawn_emissive;
 layout(location = 9) DRAWN_FLAT vec3 drawn_lobe;    // roughness, f0, f90
+
+#endif

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sets what a vertex tells about the triangle of the scene that it lies on.
-#define DRAWN_VERTEX
-#include "kernels/raster/drawn_surface.glsl"
+#ifndef UTSURI_KERNELS_RASTER_DRAWN_TRIANGLE
+#define UTSURI_KERNELS_RASTER_DRAWN_TRIANGLE
 
-layout(scalar, binding = BINDING_LIGHT_CACHE_TRIANGLES) readonly restrict buffer CacheTriangles {
-    LightCacheTriangle cache_triangles[];
-};
+#include "kernels/light/lattices.glsl"
+#include "kernels/raster/drawn_surface.glsl"
+#include "kernels/scene/surface.glsl"
 
 /// @param b barycentric coordinates b1, b2 on it
 void set_drawn_triangle(uint triangle, vec2 b) {
@@ -22,3 +22,5 @@ void set_drawn_triangle(uint triangle, vec2 b) {
     drawn_ids = uvec4(triangle, info.material, material.double_sided, NONE);
     drawn_reflection = vec3(0.0);
 }
+
+#endif

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The corners of listed triangles of reflectors.
+#ifndef UTSURI_KERNELS_RASTER_LISTED_REFLECTOR
+#define UTSURI_KERNELS_RASTER_LISTED_REFLECTOR
 
-layout(scalar, binding = BINDING_LISTED_REFLECTORS) readonly restrict buffer ListedReflectors {
+#include "kernels/raster/drawn_list.glsl"
+#include "kernels/raster/drawn_projection.glsl"
+#include "kernels/raster/drawn_triangle.glsl"
+
+layout(scalar, set = METHOD_SET, binding = BINDING_LISTED_REFLECTORS) readonly restrict buffer ListedReflectors {
     uint listed_reflectors[];
 };
 
@@ -9,6 +15,8 @@ void set_listed_reflector() {
     uint corner = uint(gl_VertexIndex) % 3u;
     set_drawn_triangle(listed_triangle(), vec2(corner == 1u, corner == 2u));
     drawn_ids.w = listed_reflectors[uint(gl_VertexIndex) / 3u];
-    drawn_from_eye = listed_corner() - push.camera.origin;
+    drawn_from_eye = listed_corner() - image.camera.origin;
     gl_Position = project(drawn_from_eye);
 }
+
+#endif

@@ -3,11 +3,9 @@
 // more, when it is known where they go, to write them.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_scalar_block_layout : require
-#include "interop/bindings.h"
 #include "interop/specialization.h"
-#include "kernels/reflectors/reflector_bindings.glsl"
-#include "lib/clip.glsl"
+#include "kernels/reflectors/clip.glsl"
+#include "kernels/reflectors/polygons.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -15,12 +13,12 @@ layout(constant_id = SPEC_WRITES) const bool WRITES = false;
 
 layout(push_constant, scalar) uniform Push { ClipPush push; };
 
-layout(scalar, binding = BINDING_STRADDLING) readonly restrict buffer Straddling { uint straddling[]; };
-layout(scalar, binding = BINDING_DRAWN_POLYGONS) readonly restrict buffer Straddlers { uint straddlers[]; };
-layout(scalar, binding = BINDING_CUT_COUNTS) restrict buffer CutCounts { uint cut_counts[]; };
-layout(scalar, binding = BINDING_CUT_PIECES) writeonly restrict buffer CutPieces { Piece cut_pieces[]; };
-layout(scalar, binding = BINDING_CUT_CORNERS) writeonly restrict buffer CutCorners { PieceCorner cut_corners[]; };
-layout(scalar, binding = BINDING_DRAW_ARGUMENTS) writeonly restrict buffer Arguments { DrawArguments arguments[3]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_STRADDLING) readonly restrict buffer Straddling { uint straddling[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_DRAWN_POLYGONS) readonly restrict buffer Straddlers { uint straddlers[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_CUT_COUNTS) restrict buffer CutCounts { uint cut_counts[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_CUT_PIECES) writeonly restrict buffer CutPieces { Piece cut_pieces[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_CUT_CORNERS) writeonly restrict buffer CutCorners { PieceCorner cut_corners[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_DRAW_ARGUMENTS) writeonly restrict buffer Arguments { DrawArguments arguments[3]; };
 
 ReflectedTriangle reflected_triangle(ReflectorTriangle polygon) {
     ReflectedTriangle triangle;

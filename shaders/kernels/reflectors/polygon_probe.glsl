@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The probe of a whole polygon, for what is found per vertex: its pieces must not look different maps up.
-#include "kernels/maps/probe_bindings.glsl"
+#ifndef UTSURI_KERNELS_REFLECTORS_POLYGON_PROBE
+#define UTSURI_KERNELS_REFLECTORS_POLYGON_PROBE
+
+#include "kernels/maps/probes.glsl"
+#include "kernels/reflectors/polygons.glsl"
 
 uint polygon_probe(ReflectorTriangle polygon) {
     if (MOST_PROBES == 1u) return polygon.reflector;
@@ -12,3 +16,5 @@ uint polygon_probe(ReflectorTriangle polygon) {
     }
     return nearest_probe(polygon.reflector, position, direction);
 }
+
+#endif

@@ -11,7 +11,7 @@ layout(local_size_x = 64) in;
 
 layout(push_constant, scalar) uniform Push { PrefixSumPush push; };
 
-layout(scalar, binding = BINDING_SUMMED_COUNTS) restrict buffer Counts { uint counts[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_SUMMED_COUNTS) restrict buffer Counts { uint counts[]; };
 
 shared uint sums[64];
 

@@ -11,10 +11,10 @@ layout(local_size_x = 64) in;
 
 layout(push_constant, scalar) uniform Push { ReflectVerticesPush push; };
 
-layout(scalar, binding = BINDING_REFLECTOR_VERTICES) readonly restrict buffer ReflectorVertices {
+layout(scalar, set = METHOD_SET, binding = BINDING_REFLECTOR_VERTICES) readonly restrict buffer ReflectorVertices {
     ReflectorVertex reflector_vertices[];
 };
-layout(scalar, binding = BINDING_VERTEX_REFLECTIONS) writeonly restrict buffer VertexReflections {
+layout(scalar, set = METHOD_SET, binding = BINDING_VERTEX_REFLECTIONS) writeonly restrict buffer VertexReflections {
     VertexReflection vertex_reflections[];
 };
 

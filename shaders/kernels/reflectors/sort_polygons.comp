@@ -3,10 +3,9 @@
 // mark these, and once more, when it is known how many come before each, to list both.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_scalar_block_layout : require
-#include "interop/bindings.h"
 #include "interop/specialization.h"
-#include "kernels/reflectors/reflector_bindings.glsl"
+#include "kernels/maps/map_faces.glsl"
+#include "kernels/reflectors/polygons.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -14,9 +13,9 @@ layout(constant_id = SPEC_WRITES) const bool WRITES = false;
 
 layout(push_constant, scalar) uniform Push { ClipPush push; };
 
-layout(scalar, binding = BINDING_STRADDLING) restrict buffer Straddling { uint straddling[]; };
-layout(scalar, binding = BINDING_DRAWN_POLYGONS) writeonly restrict buffer Straddlers { uint straddlers[]; };
-layout(scalar, binding = BINDING_WHOLE_PIECES) writeonly restrict buffer WholePieces { Piece whole_pieces[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_STRADDLING) restrict buffer Straddling { uint straddling[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_DRAWN_POLYGONS) writeonly restrict buffer Straddlers { uint straddlers[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_WHOLE_PIECES) writeonly restrict buffer WholePieces { Piece whole_pieces[]; };
 
 void main() {
     uint index = gl_GlobalInvocationID.x;

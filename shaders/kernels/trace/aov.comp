@@ -2,11 +2,11 @@
 // The first hit through the centre of each pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
 #include "kernels/film/film_bindings.glsl"
+#include "kernels/scene/surface.glsl"
 #include "lib/bsdf.glsl"
 
-layout(scalar, binding = BINDING_AOV) writeonly restrict buffer Aov { AovPixel aov[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_AOV) writeonly restrict buffer Aov { AovPixel aov[]; };
 
 void main() {
     uvec2 in_band = pixel_in_band();

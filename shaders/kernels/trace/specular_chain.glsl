@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // A camera ray and what it meets by way of specular lobes, followed to a depth: perfect mirrors (Whitted 1980), and rough
-// lobes in one direction a sample (Cook, Porter and Carpenter 1984). Diffuse lobes end the chain. The including kernel
-// defines before what light a surface sends out, its own emission and its reflections excepted:
-//   vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint dimension, inout uint rays);
+// lobes in one direction a sample (Cook, Porter and Carpenter 1984). Diffuse lobes end the chain.
+#ifndef UTSURI_KERNELS_TRACE_SPECULAR_CHAIN
+#define UTSURI_KERNELS_TRACE_SPECULAR_CHAIN
+#include "interop/frame.h"
+#include "kernels/scene/direct_light.glsl"
+
+/// What light a surface sends out, its own emission and its reflections excepted. The kernel defines it.
+vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
+                   inout uint rays);
 
 /// @param first_depth reflections that the ray already has behind it
-vec3 follow_chain(Ray ray, uint first_depth, uint key, uint index, inout Counters totals) {
+/// @param most_depth reflections after which a chain is cut
+vec3 follow_chain(Ray ray, uint first_depth, uint most_depth, uint key, uint index, inout Counters totals) {
     vec3 radiance = vec3(0.0);
     vec3 throughput = vec3(1.0);
     bool by_lobe = false;
@@ -21,10 +28,11 @@ vec3 follow_chain(Ray ray, uint first_depth, uint key, uint index, inout Counter
         Surface surface = make_surface(hit, ray.direction);
         radiance += weight * throughput * surface.emission;
         // A rough lobe cut at the bound still meets the lights: they are direct.
-        if (HAS_GLOSSY && depth > push.specular_depth) break;
+        if (HAS_GLOSSY && depth > most_depth) break;
         vec3 wo = -ray.direction;
         uint dimension = FIRST_SURFACE_DIMENSION + depth * DIMENSIONS_PER_SURFACE;
-        radiance += throughput * surface_light(surface, hit, wo, key, index, dimension, totals.rays);
+        radiance += throughput * surface_light(surface, hit, wo, key, index, dimension, ray.excluded_instance,
+                                               totals.rays);
         by_lobe = HAS_GLOSSY && is_glossy(surface);
         if (!by_lobe && (!HAS_SPECULAR || !is_specular(surface))) break;
         vec3 wi;
@@ -38,17 +46,15 @@ vec3 follow_chain(Ray ray, uint first_depth, uint key, uint index, inout Counter
             wi = mirror_direction(surface, wo);
         }
         totals.lookups += 1u;
-        if (depth == push.specular_depth) {
+        if (depth == most_depth) {
             totals.truncated += 1u;
             if (!by_lobe) break;
         } else {
             totals.traced += 1u;
         }
-        ray = make_ray(leave_surface(surface, wi), wi, surface.triangle, push.excluded_instance);
+        ray = make_ray(leave_surface(surface, wi), wi, surface.triangle, ray.excluded_instance);
     }
     return radiance;
 }
 
-vec3 sample_radiance(vec3 origin, vec3 direction, uint key, uint index, inout Counters totals) {
-    return follow_chain(make_ray(origin, direction, NONE, push.excluded_instance), 0u, key, index, totals);
-}
+#endif

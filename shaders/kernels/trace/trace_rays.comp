@@ -2,9 +2,8 @@
 // Traces a list of rays: the search alone, for tests and benchmarks.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
 #include "interop/rays.h"
-#include "lib/traversal.glsl"
+#include "kernels/scene/traversal.glsl"
 
 layout(local_size_x = 64) in;  // RAYS_PER_GROUP
 
@@ -12,8 +11,8 @@ layout(constant_id = SPEC_ANY_HIT) const bool ANY_HIT = false;
 
 layout(push_constant, scalar) uniform Push { TraceRaysPush push; };
 
-layout(scalar, binding = BINDING_RAYS) readonly restrict buffer Rays { RayInfo rays[]; };
-layout(scalar, binding = BINDING_HITS) writeonly restrict buffer Hits { HitInfo hits[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_RAYS) readonly restrict buffer Rays { RayInfo rays[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_HITS) writeonly restrict buffer Hits { HitInfo hits[]; };
 
 void main() {
     if (gl_GlobalInvocationID.x >= push.count) return;

@@ -4,6 +4,8 @@
 #include "renderers/light/light_reach.h"
 #include "renderers/reflection/raster/reflector_drawer.h"
 
+#include "interop/bindings.h"
+#include "interop/raster.h"
 #include "interop/specialization.h"
 
 #include <algorithm>
@@ -57,10 +59,13 @@ PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene
       filled_light_(light),
       settings_(settings),
       kind_(kind),
-      maps_(device, data, kind, map_settings, {eye, settings.width, settings.height}, instances),
+      maps_(device, data, kind, map_settings, {eye, settings.width, settings.height}, proxy_planes_,
+            instances),
       distances_(make_distances(device, data, maps_, kind, map_settings)),
       radiance_bounds_(make_radiance_bounds(device, maps_, kind, map_settings)),
-      rough_maps_(device, data, rough_map_settings(kind, map_settings)),
+      rough_maps_(device, data, rough_map_settings(kind, map_settings), proxy_planes_),
+      proxy_plane_buffer_(make_buffer<interop::ProxyPlane>(device, proxy_planes_, "planes of proxies")),
+      frame_(device, sizeof(interop::FrameInfo), "frame"),
       light_cache_(device, data, light.settings),
       capture_(device, scene, light_cache_, maps_, settings, map_settings) {
     if (former == nullptr) return;
@@ -117,6 +122,8 @@ Bindings PreparedMaps::bindings() const {
     bindings.merge(light_cache_.bindings());
     bindings.merge(maps_.bindings());
     bindings.merge(rough_maps_.bindings());
+    bindings[interop::BINDING_PROXY_PLANES] = &proxy_plane_buffer_;
+    bindings[interop::BINDING_FRAME] = &frame_;
     if (distances_) bindings.merge(distances_->bindings());
     if (radiance_bounds_) bindings.merge(radiance_bounds_->bindings());
     return bindings;
@@ -124,8 +131,7 @@ Bindings PreparedMaps::bindings() const {
 
 Specialization PreparedMaps::specialization() const {
     Specialization specialization = maps_.specialise(scene_.specialization());
-    const bool has_planes = !maps_.proxy_planes().empty() || !rough_maps_.proxy_planes().empty();
-    specialization[interop::SPEC_HAS_PROXY_PLANES] = has_planes ? 1 : 0;
+    specialization[interop::SPEC_HAS_PROXY_PLANES] = proxy_planes_.empty() ? 0 : 1;
     specialization[interop::SPEC_MAP_KIND] = whole_map_kind(kind_);
     specialization[interop::SPEC_MOST_ROUGH_PROBES] = rough_maps_.plan().most_probes();
     if (distances_) specialization[interop::SPEC_DISTANCE_SIZE] = distances_->size();

@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace utsuri {
 
@@ -70,10 +71,13 @@ class PreparedMaps {
     FilledLight& filled_light_;
     RenderSettings settings_;
     MapKind kind_;
+    std::vector<interop::ProxyPlane> proxy_planes_;  ///< of reflection maps, then of rough ones
     ReflectionMaps maps_;
     std::optional<DistanceMaps> distances_;
     std::optional<RadianceBounds> radiance_bounds_;
     RoughMaps rough_maps_;
+    Buffer proxy_plane_buffer_;
+    Buffer frame_;  ///< interop::FrameInfo, written by what draws
     LightCache light_cache_;
     MapCapture capture_;
 };

@@ -54,9 +54,17 @@ TEST(Spirv, ReadsDecorationsInOrder) {
 }
 
 TEST(Spirv, ListsBindingsAndSpecializationIdsOnceAndAscending) {
-    const auto words = module({decorate(1, kBinding, 9), decorate(2, kBinding, 2), decorate(3, kBinding, 9),
-                               decorate(4, kSpecId, 5), decorate(5, kSpecId, 0)});
-    EXPECT_THAT(spirv_bindings(words), ElementsAre(2, 9));
+    constexpr std::uint32_t kDescriptorSet = 34;
+    const auto variable = [](std::uint32_t id, std::uint32_t storage_class) {
+        return std::vector<std::uint32_t>{first_word(59, 4), 100, id, storage_class};
+    };
+    constexpr std::uint32_t kUniform = 2;
+    constexpr std::uint32_t kStorageBuffer = 12;
+    const auto words =
+        module({decorate(1, kBinding, 9), decorate(2, kBinding, 2), decorate(2, kDescriptorSet, 1),
+                decorate(3, kBinding, 9), decorate(4, kSpecId, 5), decorate(5, kSpecId, 0),
+                variable(1, kStorageBuffer), variable(2, kUniform), variable(3, kStorageBuffer)});
+    EXPECT_THAT(spirv_bindings(words), ElementsAre(SpirvBinding{2, 1, true}, SpirvBinding{9, 0, false}));
     EXPECT_THAT(spirv_specialization_ids(words), ElementsAre(0, 5));
 }
 

@@ -45,13 +45,13 @@ RoughMapPlan placed(const Device& device, const SceneData& data, const RoughMapS
 
 }  // namespace
 
-RoughMaps::RoughMaps(Device& device, const SceneData& data, const RoughMapSettings& settings)
+RoughMaps::RoughMaps(Device& device, const SceneData& data, const RoughMapSettings& settings,
+                     std::vector<interop::ProxyPlane>& proxy_planes)
     : device_(&device),
       settings_(settings),
-      plan_(placed(device, data, settings, proxy_planes_)),
+      plan_(placed(device, data, settings, proxy_planes)),
       infos_(make_buffer<interop::RoughMapInfo>(device, plan_.infos, "rough maps")),
       probes_(make_buffer<interop::RoughProbe>(device, plan_.probes, "probes of rough maps")),
-      proxy_plane_buffer_(make_buffer<interop::ProxyPlane>(device, proxy_planes_, "planes of rough proxies")),
       levels_(make_buffer<interop::RoughLevel>(device, plan_.levels, "levels of rough maps")),
       texels_(device, std::max<std::uint64_t>(1, plan_.texels) * sizeof(glm::vec3), "texels of rough maps"),
       inverse_distances_(
@@ -106,7 +106,6 @@ FrameCounts RoughMaps::capture(MapPrefilter& prefilter, std::uint32_t probe, con
 Bindings RoughMaps::bindings() const {
     return {{interop::BINDING_ROUGH_MAPS, &infos_},
             {interop::BINDING_ROUGH_PROBES, &probes_},
-            {interop::BINDING_ROUGH_PROXY_PLANES, &proxy_plane_buffer_},
             {interop::BINDING_ROUGH_LEVELS, &levels_},
             {interop::BINDING_ROUGH_TEXELS, &texels_},
             {interop::BINDING_ROUGH_INVERSE_DISTANCES, &inverse_distances_},

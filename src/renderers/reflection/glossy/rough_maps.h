@@ -35,7 +35,9 @@ struct RoughMapSettings {
 class RoughMaps {
   public:
     /// @throws UsageError if the maps cannot fit into one buffer of the device
-    RoughMaps(Device& device, const SceneData& data, const RoughMapSettings& settings);
+    /// @param proxy_planes where the planes of proxies that are no boxes are put, behind those of others
+    RoughMaps(Device& device, const SceneData& data, const RoughMapSettings& settings,
+              std::vector<interop::ProxyPlane>& proxy_planes);
 
     /// Captures and convolves the maps.
     /// @param light filled
@@ -45,8 +47,6 @@ class RoughMaps {
 
     [[nodiscard]] Bindings bindings() const;
     [[nodiscard]] const RoughMapPlan& plan() const { return plan_; }
-    /// Of the proxies that are not boxes.
-    [[nodiscard]] const std::vector<interop::ProxyPlane>& proxy_planes() const { return proxy_planes_; }
 
     /// The texels of one face of a level, border included, as a picture, for tests.
     [[nodiscard]] Image face(std::uint32_t level, std::uint32_t face) const;
@@ -63,11 +63,9 @@ class RoughMaps {
 
     Device* device_;
     RoughMapSettings settings_;
-    std::vector<interop::ProxyPlane> proxy_planes_;
     RoughMapPlan plan_;
     Buffer infos_;
     Buffer probes_;
-    Buffer proxy_plane_buffer_;
     Buffer levels_;
     Buffer texels_;
     Buffer inverse_distances_;

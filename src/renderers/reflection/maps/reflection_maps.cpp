@@ -115,14 +115,23 @@ std::vector<interop::MapFace> faces_of(MapKind kind, const Polyhedron& polyhedro
     return faces;
 }
 
+/// A uniform block has a size of its own, whatever it holds.
+Buffer make_face_block(Device& device, std::vector<interop::MapFace> faces) {
+    faces.resize(interop::MAP_MOST_FACES);
+    return make_buffer<interop::MapFace>(device, faces, "faces of the maps");
+}
+
 }  // namespace
 
 ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind kind,
-                               const MapSettings& settings, const MapView& view)
-    : ReflectionMaps(device, data, kind, settings, view, data.requirements.reflective_instances) {}
+                               const MapSettings& settings, const MapView& view,
+                               std::vector<interop::ProxyPlane>& proxy_planes)
+    : ReflectionMaps(device, data, kind, settings, view, proxy_planes,
+                     data.requirements.reflective_instances) {}
 
 ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind kind,
                                const MapSettings& settings, const MapView& view,
+                               std::vector<interop::ProxyPlane>& proxy_planes,
                                const std::vector<std::uint32_t>& instances)
     : kind_(kind),
       settings_(settings),
@@ -132,12 +141,12 @@ ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind ki
           place_probes(data, reflectors_.instances, kind, {settings.most_probes, settings.capture_point})),
       infos_(describe_probes(data, reflectors_, probes_, kind, maps_per_probe(), settings,
                              map_sizes(data, reflectors_, probes_, kind, faces_, settings, view),
-                             proxy_planes_)),
+                             proxy_planes)),
       info_buffer_(make_buffer<interop::ProbeInfo>(device, infos_, "probes")),
+      face_block_(make_face_block(device, faces_)),
       most_probes_(most_of_a_reflector(probes_, reflectors_)),
       ranges_(make_buffer<interop::ProbeRange>(device, probe_ranges(probes_, reflectors_.instances.size()),
                                                "probes of reflectors")),
-      proxy_plane_buffer_(make_buffer<interop::ProxyPlane>(device, proxy_planes_, "planes of proxies")),
       texels_(device,
               std::max<std::uint64_t>(1, total_texels(device, infos_, maps_per_probe(), settings)) *
                   sizeof(glm::vec3),
@@ -259,7 +268,7 @@ void ReflectionMaps::count_states(std::vector<std::uint32_t> states) {
 Bindings ReflectionMaps::bindings() const {
     return {{interop::BINDING_PROBES, &info_buffer_},
             {interop::BINDING_PROBE_RANGES, &ranges_},
-            {interop::BINDING_PROXY_PLANES, &proxy_plane_buffer_},
+            {interop::BINDING_MAP_FACES, &face_block_},
             {interop::BINDING_MAP_TEXELS, &texels_},
             {interop::BINDING_MAP_STATES, &states_}};
 }

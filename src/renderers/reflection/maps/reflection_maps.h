@@ -26,13 +26,15 @@ namespace utsuri {
 class ReflectionMaps {
   public:
     /// @param view that fitted maps are fine enough for
+    /// @param proxy_planes where the planes of proxies that are no boxes are put, behind those of others
     /// @throws UsageError if the maps cannot fit into one buffer of the device, with the largest size that
     /// would
     ReflectionMaps(Device& device, const SceneData& data, MapKind kind, const MapSettings& settings,
-                   const MapView& view);
+                   const MapView& view, std::vector<interop::ProxyPlane>& proxy_planes);
     /// @param instances that get maps, ascending
     ReflectionMaps(Device& device, const SceneData& data, MapKind kind, const MapSettings& settings,
-                   const MapView& view, const std::vector<std::uint32_t>& instances);
+                   const MapView& view, std::vector<interop::ProxyPlane>& proxy_planes,
+                   const std::vector<std::uint32_t>& instances);
 
     /// Turns sphere maps, before any is captured, to an eye whose axes they follow.
     void turn_to(const Camera& eye);
@@ -75,8 +77,6 @@ class ReflectionMaps {
     /// The texels of one map, border included, as a picture.
     [[nodiscard]] Image map(std::uint32_t probe, std::uint32_t face) const;
     [[nodiscard]] std::uint32_t maps_per_probe() const;
-    /// Of the proxies that are not boxes.
-    [[nodiscard]] const std::vector<interop::ProxyPlane>& proxy_planes() const { return proxy_planes_; }
     /// Of the polyhedron of maps; none for sphere maps.
     [[nodiscard]] const std::vector<interop::MapFace>& faces() const { return faces_; }
 
@@ -89,13 +89,12 @@ class ReflectionMaps {
     MapSettings settings_;
     Reflectors reflectors_;
     std::vector<interop::MapFace> faces_;
-    std::vector<interop::ProxyPlane> proxy_planes_;
     std::vector<Probe> probes_;
     std::vector<interop::ProbeInfo> infos_;
     Buffer info_buffer_;
+    Buffer face_block_;
     std::uint32_t most_probes_;  ///< of one reflector, that there are
     Buffer ranges_;
-    Buffer proxy_plane_buffer_;
     Buffer texels_;
     std::uint32_t captured_ = 0;
     Buffer states_;

@@ -57,7 +57,6 @@ ImageDrawer::ImageDrawer(Device& device, const SceneData& data, ImageTriangles t
       list_(make_buffer<std::uint32_t>(device, triangles_.listed, "draw list")),
       listed_reflectors_(
           make_buffer<std::uint32_t>(device, triangles_.reflectors, "reflectors of the draw list")),
-      faces_(make_buffer<interop::MapFace>(device, faces, "faces of the maps")),
       eye_depth_(make_pass("draw_depth", kernels::draw_depth_vert, {}, DepthTest::nearer, {}, bindings)) {
     for (const DrawBatch& batch : triangles_.batches) {
         batches_.push_back(
@@ -96,8 +95,7 @@ ImageDrawer::ImageDrawer(Device& device, const SceneData& data, ImageTriangles t
 
 Bindings ImageDrawer::all_bindings(Bindings bindings) const {
     bindings.merge(Bindings{{interop::BINDING_DRAW_LIST, &list_},
-                            {interop::BINDING_LISTED_REFLECTORS, &listed_reflectors_},
-                            {interop::BINDING_MAP_FACES, &faces_}});
+                            {interop::BINDING_LISTED_REFLECTORS, &listed_reflectors_}});
     return bindings;
 }
 
@@ -107,15 +105,15 @@ ImageDrawer::Pass ImageDrawer::make_pass(const std::string& name, std::span<cons
                                          const Bindings& bindings) const {
     // Depth is drawn first, so that a pixel shades only what it shows.
     const bool writes_colour = depth == DepthTest::equal;
-    RasterPipeline pipeline(device_, name, vertex, fragment, specialization, sizeof(Push), {depth, 0.0f},
-                            {kColours, writes_colour});
+    RasterPipeline pipeline(device_, name, vertex, fragment, specialization, sizeof(interop::ImagePush),
+                            {depth, 0.0f}, {kColours, writes_colour});
     BindingSet set = pipeline.bind(all_bindings(bindings));
     return {std::move(pipeline), std::move(set)};
 }
 
 void ImageDrawer::warm_up(const vk::raii::CommandBuffer& commands) const {
     if (triangles_.listed.empty()) return;
-    const Push nothing{};
+    const interop::ImagePush nothing{};
     eye_depth_.pipeline.draw(commands, eye_depth_.bindings, nothing, 0, 1);
     for (const Batch& batch : batches_)
         batch.pass.pipeline.draw(commands, batch.pass.bindings, nothing, batch.range.first, 1);
@@ -126,30 +124,29 @@ void ImageDrawer::warm_up(const vk::raii::CommandBuffer& commands) const {
 }
 
 void ImageDrawer::draw(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,
-                       std::uint32_t index, const interop::RasterPush& view) const {
+                       std::uint32_t index, std::uint32_t most_depth) const {
     const MirrorImage& image = images[index];
     limit_to(commands, image.window);
-    Push push{view, {}};
+    interop::ImagePush push{};
     const PixelRect& picture = images.front().window;
-    push.view.camera = make_camera_info(image.eye, glm::dvec3(0.0), picture.width, picture.height);
-    push.image.normal = glm::vec3(image.normal);
-    push.image.offset = static_cast<float>(image.offset);
-    push.image.number = interop::IMAGE_OF_EYE + index;
-    push.image.reflections = image.reflections;
-    push.image.width = picture.width;
+    push.camera = make_camera_info(image.eye, glm::dvec3(0.0), picture.width, picture.height);
+    push.normal = glm::vec3(image.normal);
+    push.offset = static_cast<float>(image.offset);
+    push.number = interop::IMAGE_OF_EYE + index;
+    push.reflections = image.reflections;
     draw_depth(commands, image, push);
     for (const Batch& batch : batches_)
         batch.pass.pipeline.draw(commands, batch.pass.bindings, push, batch.range.first, batch.range.count);
     if (curved_)
         curved_->pipeline.draw(commands, curved_->bindings, push, triangles_.curved.first,
                                triangles_.curved.count);
-    draw_mirrors(commands, image, push);
+    draw_mirrors(commands, image, push, most_depth);
     if (surroundings_ && image.mirror != interop::NONE)
         surroundings_->pipeline.draw(commands, surroundings_->bindings, push, 0, 1);
 }
 
 void ImageDrawer::draw_depth(const vk::raii::CommandBuffer& commands, const MirrorImage& image,
-                             const Push& push) const {
+                             const interop::ImagePush& push) const {
     const Pass& pass = image.mirror == interop::NONE ? eye_depth_ : *image_depth_;
     std::uint32_t first = 0;
     for (const std::uint32_t unseen : image.unseen) {
@@ -162,7 +159,7 @@ void ImageDrawer::draw_depth(const vk::raii::CommandBuffer& commands, const Mirr
 }
 
 void ImageDrawer::draw_mirrors(const vk::raii::CommandBuffer& commands, const MirrorImage& image,
-                               Push push) const {
+                               interop::ImagePush push, std::uint32_t most_depth) const {
     auto shown = image.shown.begin();
     auto unseen = image.unseen.begin();
     for (std::uint32_t mirror = 0; mirror < triangles_.mirrors.size(); ++mirror) {
@@ -170,11 +167,11 @@ void ImageDrawer::draw_mirrors(const vk::raii::CommandBuffer& commands, const Mi
             ++unseen;
             continue;
         }
-        push.image.next = interop::IMAGE_TRUNCATED;
+        push.next = interop::IMAGE_TRUNCATED;
         if (shown != image.shown.end() && shown->mirror == mirror)
-            push.image.next = interop::IMAGE_OF_EYE + (shown++)->image;
-        const bool is_traced = traced_mirrors_ && push.image.next == interop::IMAGE_TRUNCATED &&
-                               image.reflections < push.view.specular_depth;
+            push.next = interop::IMAGE_OF_EYE + (shown++)->image;
+        const bool is_traced =
+            traced_mirrors_ && push.next == interop::IMAGE_TRUNCATED && image.reflections < most_depth;
         const Pass& pass = is_traced ? *traced_mirrors_ : *mirrors_;
         const TriangleRange& range = triangles_.mirrors[mirror];
         pass.pipeline.draw(commands, pass.bindings, push, range.first, range.count);

@@ -35,16 +35,11 @@ class ImageDrawer {
     /// Records the draws, inside draw_into().
     /// @param images of the frame
     /// @param index which of them
-    /// @param view place of the sample, and all else but the camera
+    /// @param most_depth reflections after which chains are cut
     void draw(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,
-              std::uint32_t index, const interop::RasterPush& view) const;
+              std::uint32_t index, std::uint32_t most_depth) const;
 
   private:
-    /// What draws of an image are told.
-    struct Push {
-        interop::RasterPush view;
-        interop::ImageInfo image;
-    };
     struct Pass {
         RasterPipeline pipeline;
         BindingSet bindings;
@@ -61,14 +56,14 @@ class ImageDrawer {
                                  std::span<const std::uint32_t> fragment, DepthTest depth,
                                  const Specialization& specialization, const Bindings& bindings) const;
     void draw_depth(const vk::raii::CommandBuffer& commands, const MirrorImage& image,
-                    const Push& push) const;
-    void draw_mirrors(const vk::raii::CommandBuffer& commands, const MirrorImage& image, Push push) const;
+                    const interop::ImagePush& push) const;
+    void draw_mirrors(const vk::raii::CommandBuffer& commands, const MirrorImage& image,
+                      interop::ImagePush push, std::uint32_t most_depth) const;
 
     Device& device_;
     ImageTriangles triangles_;
     Buffer list_;
     Buffer listed_reflectors_;
-    Buffer faces_;
     Pass eye_depth_;
     std::vector<Batch> batches_;
     std::optional<Pass> curved_;  ///< like the others below only where the scene requires it

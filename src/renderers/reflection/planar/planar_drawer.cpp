@@ -19,7 +19,8 @@ PlanarDrawer::PlanarDrawer(Device& device, const SceneData& data, const PlaneMir
                            const Specialization& specialization, const Bindings& bindings,
                            std::uint32_t width, std::uint32_t height)
     : device_(drawing_device(device)),
-      near_plane_(utsuri::near_plane(data)),
+      info_(frame_info(data, width, height)),
+      frame_(*bindings.at(interop::BINDING_FRAME)),
       background_(background_of(data)),
       colour_(device, width, height, kColourFormat, "drawn picture"),
       throughput_(device, width, height, kColourFormat, "throughput of the drawn picture"),
@@ -43,15 +44,12 @@ void PlanarDrawer::warm_up() {
     });
 }
 
-interop::RasterPush PlanarDrawer::view_of(const ImageSettings& settings) const {
-    interop::RasterPush view{};
-    view.near_plane = near_plane_;
-    view.seed = settings.seed;
-    view.specular_depth = settings.specular_depth;
-    view.tolerance = settings.tolerance;
-    view.excluded_instance = interop::NONE;
-    view.pixel = 1.0f / glm::vec2(colour_.width(), colour_.height());
-    return view;
+interop::FrameInfo PlanarDrawer::frame_of(const ImageSettings& settings) const {
+    interop::FrameInfo frame = info_;
+    frame.seed = settings.seed;
+    frame.specular_depth = settings.specular_depth;
+    frame.tolerance = settings.tolerance;
+    return frame;
 }
 
 std::vector<glm::vec4> PlanarDrawer::pixels() const {
@@ -60,23 +58,24 @@ std::vector<glm::vec4> PlanarDrawer::pixels() const {
 
 void PlanarDrawer::draw_frame(const std::vector<MirrorImage>& images, const ImageSettings& settings,
                               const glm::vec2& jitter) {
-    interop::RasterPush view = view_of(settings);
-    view.jitter = jitter;
+    interop::FrameInfo frame = frame_of(settings);
+    frame.jitter = jitter;
     device_.run("draw a frame",
-                [&](const vk::raii::CommandBuffer& commands) { draw(commands, images, view); });
+                [&](const vk::raii::CommandBuffer& commands) { draw(commands, images, frame); });
 }
 
 FrameCounts PlanarDrawer::add_samples(Film& film, const std::vector<MirrorImage>& images,
                                       const ImageSettings& settings, std::uint32_t count, Progress& progress,
                                       const CompleteMaps& complete) {
-    const auto record = [&](const vk::raii::CommandBuffer& commands, const interop::RasterPush& push) {
-        draw(commands, images, push);
+    const auto record = [&](const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) {
+        draw(commands, images, frame);
     };
-    return samples_.add(film, view_of(settings), count, progress, colour_, record, complete);
+    return samples_.add(film, frame_of(settings), count, progress, colour_, record, complete);
 }
 
 void PlanarDrawer::draw(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,
-                        const interop::RasterPush& view) const {
+                        const interop::FrameInfo& frame) const {
+    frame_.record_update(commands, std::as_bytes(std::span(&frame, 1)));
     std::optional<std::array<float, 4>> background = background_;
     for (std::uint32_t next = 0; next < images.size();) {
         if (next > 0) {
@@ -88,7 +87,7 @@ void PlanarDrawer::draw(const vk::raii::CommandBuffer& commands, const std::vect
             ColourTarget{colour_, background}, ColourTarget{throughput_, background}};
         draw_into(commands, targets, depth_, [&] {
             for (; next < images.size() && images[next].reflections == reflections; ++next)
-                drawer_.draw(commands, images, next, view);
+                drawer_.draw(commands, images, next, frame.specular_depth);
         });
         background.reset();
     }

@@ -17,7 +17,8 @@ struct ImageSettings {
 /// reflection, of two, and so on. A pixel shows at most one image of each number of reflections.
 class PlanarDrawer {
   public:
-    /// @param bindings of scene, light cache and maps; the states of the maps must outlive this
+    /// @param bindings of scene, light cache, maps and BINDING_FRAME; the last and the states of the maps
+    /// must outlive this
     /// @param curved reflectors with maps
     /// @param kind of the maps: see ImageDrawer
     /// @param faces of the maps
@@ -44,16 +45,17 @@ class PlanarDrawer {
                             std::uint32_t count, Progress& progress, const CompleteMaps& complete);
 
     /// Distance of the near plane, scene space.
-    [[nodiscard]] float near_plane() const { return near_plane_; }
+    [[nodiscard]] float near_plane() const { return info_.near_plane; }
 
   private:
     [[nodiscard]] Bindings with_pictures(Bindings bindings) const;
-    [[nodiscard]] interop::RasterPush view_of(const ImageSettings& settings) const;
+    [[nodiscard]] interop::FrameInfo frame_of(const ImageSettings& settings) const;
     void draw(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,
-              const interop::RasterPush& view) const;
+              const interop::FrameInfo& frame) const;
 
     Device& device_;
-    float near_plane_;
+    interop::FrameInfo info_;
+    const Buffer& frame_;
     std::array<float, 4> background_;
     Attachment colour_;
     Attachment throughput_;

@@ -43,6 +43,15 @@ float near_plane(const SceneData& data) {
     return static_cast<float>(kNearShare * glm::length(glm::dvec3(data.bounds.extent())));
 }
 
+interop::FrameInfo frame_info(const SceneData& data, std::uint32_t width, std::uint32_t height) {
+    interop::FrameInfo frame{};
+    frame.jitter = {0.5f, 0.5f};
+    frame.pixel_size = 1.0f / glm::vec2(width, height);
+    frame.width = width;
+    frame.near_plane = near_plane(data);
+    return frame;
+}
+
 DrawnSamples::DrawnSamples(Device& device, std::uint32_t width, std::uint32_t height,
                            const Buffer& map_states)
     : device_(device),
@@ -52,10 +61,10 @@ DrawnSamples::DrawnSamples(Device& device, std::uint32_t width, std::uint32_t he
       add_kernel_(device, "add_drawn", kernels::add_drawn, {}, sizeof(interop::AddDrawnPush)),
       map_states_(map_states) {}
 
-FrameCounts DrawnSamples::add(Film& film, interop::RasterPush view, std::uint32_t count, Progress& progress,
+FrameCounts DrawnSamples::add(Film& film, interop::FrameInfo frame, std::uint32_t count, Progress& progress,
                               const Attachment& colour,
                               const std::function<void(const vk::raii::CommandBuffer& commands,
-                                                       const interop::RasterPush& view)>& record,
+                                                       const interop::FrameInfo& frame)>& record,
                               const CompleteMaps& complete) {
     std::vector<BindingSet> sets;
     for (const Film::Band& band : film.bands()) {
@@ -67,15 +76,15 @@ FrameCounts DrawnSamples::add(Film& film, interop::RasterPush view, std::uint32_
     counters_.fill_with_zero();
     FrameCounts counts;
     for (std::uint32_t done = 0; done < count && !progress.cancelled();) {
-        view.sample_index = film.samples();
-        view.jitter =
-            sample_2d(sampler_key({0, 0}, view.seed, view.sample_index & 1u), view.sample_index >> 1, 0);
+        frame.sample_index = film.samples();
+        frame.jitter =
+            sample_2d(sampler_key({0, 0}, frame.seed, frame.sample_index & 1u), frame.sample_index >> 1, 0);
         counts.gpu_seconds += device_.run("draw the scene", [&](const vk::raii::CommandBuffer& commands) {
-            record(commands, view);
+            record(commands, frame);
             for (std::size_t i = 0; i < sets.size(); ++i) {
                 const Film::Band& band = film.bands()[i];
                 colour.copy_rows(commands, band.first_row, band.rows, drawn_);
-                const interop::AddDrawnPush add{film.width() * band.rows, view.sample_index};
+                const interop::AddDrawnPush add{film.width() * band.rows, frame.sample_index};
                 add_kernel_.dispatch(commands, sets[i], add, (add.pixels + 63) / 64);
             }
         });

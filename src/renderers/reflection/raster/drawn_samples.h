@@ -24,6 +24,10 @@ std::array<float, 4> background_of(const SceneData& data);
 /// Distance of the near plane, scene space.
 float near_plane(const SceneData& data);
 
+/// What all draws of a picture are told, but for the samples: seed, depth and tolerance are left to the
+/// caller.
+interop::FrameInfo frame_info(const SceneData& data, std::uint32_t width, std::uint32_t height);
+
 /// See DrawnSamples::add().
 using CompleteMaps = std::function<bool()>;
 
@@ -34,15 +38,15 @@ class DrawnSamples {
     /// @param map_states BINDING_MAP_STATES of the maps that are looked up
     DrawnSamples(Device& device, std::uint32_t width, std::uint32_t height, const Buffer& map_states);
 
-    /// @param view of the picture, the place of the sample left out
+    /// @param frame of the picture, the place of the sample left out
     /// @param colour what `record` draws into
     /// @param record records the drawing of one picture
     /// @param complete captures the maps that a picture lacked and tells whether there were any: the picture
     /// was not added then, and is drawn again
-    FrameCounts add(Film& film, interop::RasterPush view, std::uint32_t count, Progress& progress,
+    FrameCounts add(Film& film, interop::FrameInfo frame, std::uint32_t count, Progress& progress,
                     const Attachment& colour,
                     const std::function<void(const vk::raii::CommandBuffer& commands,
-                                             const interop::RasterPush& view)>& record,
+                                             const interop::FrameInfo& frame)>& record,
                     const CompleteMaps& complete);
 
   private:

@@ -22,14 +22,15 @@ FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& 
                          const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height)
     : device_(drawing_device(device)),
       reflectors_(reflectors),
-      near_plane_(near_plane(data)),
+      info_(frame_info(data, width, height)),
+      frame_(*bindings.at(interop::BINDING_FRAME)),
       background_(background_of(data)),
       colour_(device, width, height, kColourFormat, "drawn picture"),
       depth_(device, width, height, kDepthFormat, "depth of the drawn picture"),
       samples_(device, width, height, *bindings.at(interop::BINDING_MAP_STATES)),
       triangles_(make_buffer<std::uint32_t>(device, list.triangles, "draw list")),
       triangle_count_(static_cast<std::uint32_t>(list.triangles.size())),
-      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::RasterPush)),
+      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::ImagePush)),
       depth_bindings_(depth_pass_.bind(with_draw_list(bindings))),
       batches_(make_batches(list.batches, specialization, bindings)) {}
 
@@ -47,7 +48,7 @@ std::vector<FrameDrawer::Batch> FrameDrawer::make_batches(const std::vector<Draw
         constants[interop::SPEC_HAS_TEXTURES] = batch.features.textured ? 1 : 0;
         constants[interop::SPEC_HAS_GLOSSY] = batch.features.glossy ? 1 : 0;
         RasterPipeline pipeline(device_, "draw_scene", kernels::draw_scene_vert, kernels::draw_scene_frag,
-                                constants, sizeof(interop::RasterPush), DepthState{DepthTest::equal, 0.0f});
+                                constants, sizeof(interop::ImagePush), DepthState{DepthTest::equal, 0.0f});
         BindingSet set = pipeline.bind(with_draw_list(bindings));
         batches.push_back({std::move(pipeline), std::move(set), batch.first, batch.count});
     }
@@ -55,7 +56,7 @@ std::vector<FrameDrawer::Batch> FrameDrawer::make_batches(const std::vector<Draw
 }
 
 void FrameDrawer::warm_up() {
-    const interop::RasterPush nothing{};
+    const interop::ImagePush nothing{};
     device_.run("compile pipelines", [&](const vk::raii::CommandBuffer& commands) {
         draw_into(commands, colour_, depth_, background_, [&] {
             if (triangle_count_ > 0) depth_pass_.draw(commands, depth_bindings_, nothing, 0, 1);
@@ -66,20 +67,19 @@ void FrameDrawer::warm_up() {
     });
 }
 
-interop::RasterPush FrameDrawer::view_of(const DrawSettings& settings) const {
-    interop::RasterPush view{};
-    view.camera = settings.camera;
-    view.jitter = {0.5f, 0.5f};
-    view.near_plane = near_plane_;
-    view.seed = settings.seed;
-    view.specular_depth = settings.specular_depth;
-    view.excluded_instance = interop::NONE;
-    view.tolerance = settings.tolerance;
-    view.pixel = 1.0f / glm::vec2(colour_.width(), colour_.height());
-    return view;
+interop::FrameInfo FrameDrawer::frame_of(const DrawSettings& settings) const {
+    interop::FrameInfo frame = info_;
+    frame.seed = settings.seed;
+    frame.specular_depth = settings.specular_depth;
+    frame.tolerance = settings.tolerance;
+    return frame;
 }
 
-void FrameDrawer::record(const vk::raii::CommandBuffer& commands, const interop::RasterPush& view) const {
+void FrameDrawer::record(const vk::raii::CommandBuffer& commands, const interop::CameraInfo& camera,
+                         const interop::FrameInfo& frame) const {
+    frame_.record_update(commands, std::as_bytes(std::span(&frame, 1)));
+    interop::ImagePush view{};
+    view.camera = camera;
     draw_into(commands, colour_, depth_, background_, [&] {
         // Depth first: a pixel shades only what it shows.
         depth_pass_.draw(commands, depth_bindings_, view, 0, triangle_count_);
@@ -90,9 +90,10 @@ void FrameDrawer::record(const vk::raii::CommandBuffer& commands, const interop:
 }
 
 void FrameDrawer::draw_frame(const DrawSettings& settings, const glm::vec2& jitter) {
-    interop::RasterPush view = view_of(settings);
-    view.jitter = jitter;
-    device_.run("draw a frame", [&](const vk::raii::CommandBuffer& commands) { record(commands, view); });
+    interop::FrameInfo frame = frame_of(settings);
+    frame.jitter = jitter;
+    device_.run("draw a frame",
+                [&](const vk::raii::CommandBuffer& commands) { record(commands, settings.camera, frame); });
 }
 
 Image FrameDrawer::frame() const {
@@ -109,10 +110,10 @@ std::vector<float> FrameDrawer::traced_pixels() const {
 
 FrameCounts FrameDrawer::add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,
                                      Progress& progress, const CompleteMaps& complete) {
-    const auto record_view = [&](const vk::raii::CommandBuffer& commands, const interop::RasterPush& view) {
-        record(commands, view);
+    const auto record_frame = [&](const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) {
+        record(commands, settings.camera, frame);
     };
-    return samples_.add(film, view_of(settings), count, progress, colour_, record_view, complete);
+    return samples_.add(film, frame_of(settings), count, progress, colour_, record_frame, complete);
 }
 
 }  // namespace utsuri

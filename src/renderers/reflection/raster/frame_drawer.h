@@ -32,7 +32,8 @@ struct DrawSettings {
 /// Draws one view of a scene with the raster pipeline and adds the pictures to a film: see DrawnSamples.
 class FrameDrawer {
   public:
-    /// @param bindings of scene, light cache and maps; the states of the maps must outlive this
+    /// @param bindings of scene, light cache, maps and BINDING_FRAME; the last and the states of the maps
+    /// must outlive this
     /// @param reflectors draws what is reflective; none if nothing is; must outlive this
     /// @throws DeviceError if the device cannot draw pictures of this size
     FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
@@ -65,15 +66,17 @@ class FrameDrawer {
     FrameDrawer(Device& device, const SceneData& data, const DrawList& list,
                 const Specialization& specialization, const Bindings& bindings,
                 const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height);
-    [[nodiscard]] interop::RasterPush view_of(const DrawSettings& settings) const;
-    void record(const vk::raii::CommandBuffer& commands, const interop::RasterPush& view) const;
+    [[nodiscard]] interop::FrameInfo frame_of(const DrawSettings& settings) const;
+    void record(const vk::raii::CommandBuffer& commands, const interop::CameraInfo& camera,
+                const interop::FrameInfo& frame) const;
     [[nodiscard]] Bindings with_draw_list(Bindings bindings) const;
     std::vector<Batch> make_batches(const std::vector<DrawBatch>& planned,
                                     const Specialization& specialization, const Bindings& bindings);
 
     Device& device_;
     const ReflectorDrawer* reflectors_;
-    float near_plane_;
+    interop::FrameInfo info_;
+    const Buffer& frame_;
     std::array<float, 4> background_;
     Attachment colour_;
     Attachment depth_;

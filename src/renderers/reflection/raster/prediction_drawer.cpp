@@ -43,7 +43,8 @@ PredictionDrawer::PredictionDrawer(Device& device, const SceneData& data, MapKin
                                    const ReflectorDrawer& reflectors, std::uint32_t width,
                                    std::uint32_t height)
     : device_(device),
-      near_plane_(near_plane(data)),
+      info_(frame_info(data, width, height)),
+      frame_(*bindings.at(interop::BINDING_FRAME)),
       colour_(device, width, height, kColourFormat, "errors of reflections"),
       depth_(device, width, height, kDepthFormat, "depth of errors of reflections"),
       triangles_(make_buffer<std::uint32_t>(device, plan_draws(data).triangles, "draw list of errors")),
@@ -51,7 +52,7 @@ PredictionDrawer::PredictionDrawer(Device& device, const SceneData& data, MapKin
       polygons_(make_buffer<std::uint32_t>(device, numbers_below(reflectors.polygon_count()),
                                            "polygons with errors")),
       polygon_count_(reflectors.polygon_count()),
-      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::RasterPush)),
+      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::ImagePush)),
       depth_bindings_(depth_pass_.bind([&] {
           Bindings all = bindings;
           all[interop::BINDING_DRAW_LIST] = &triangles_;
@@ -72,20 +73,19 @@ PredictionDrawer::Stage PredictionDrawer::make_stage(const char* name,
     constants[interop::SPEC_EXCLUDES_INSTANCE] = 1;
     bindings[interop::BINDING_DRAWN_POLYGONS] = &polygons_;
     RasterPipeline pipeline(device_, name, kernels::draw_curved_reflectors_vert, fragment, constants,
-                            sizeof(interop::RasterPush));
+                            sizeof(interop::ImagePush));
     BindingSet set = pipeline.bind(bindings);
     return {std::move(pipeline), std::move(set)};
 }
 
 std::vector<glm::vec4> PredictionDrawer::draw(const Stage& stage, const interop::CameraInfo& camera,
                                               float tolerance) {
-    interop::RasterPush push{};
+    interop::FrameInfo frame = info_;
+    frame.tolerance = tolerance;
+    interop::ImagePush push{};
     push.camera = camera;
-    push.jitter = {0.5f, 0.5f};
-    push.near_plane = near_plane_;
-    push.tolerance = tolerance;
-    push.pixel = 1.0f / glm::vec2(colour_.width(), colour_.height());
     device_.run("draw errors of reflections", [&](const vk::raii::CommandBuffer& commands) {
+        frame_.record_update(commands, std::as_bytes(std::span(&frame, 1)));
         draw_into(commands, colour_, depth_, kNoMirror, [&] {
             depth_pass_.draw(commands, depth_bindings_, push, 0, triangle_count_);
             stage.pipeline.draw(commands, stage.bindings, push, 0, polygon_count_);

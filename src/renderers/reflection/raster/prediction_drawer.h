@@ -21,7 +21,7 @@ class PredictionDrawer {
   public:
     /// @param kind whose look-ups
     /// @param specialization of the fragment stage, with map and distance sizes
-    /// @param bindings of scene, light cache, maps and distance maps
+    /// @param bindings of scene, light cache, maps, distance maps and BINDING_FRAME, which must outlive this
     /// @param reflectors whose vertices have been reflected for the eye
     PredictionDrawer(Device& device, const SceneData& data, MapKind kind, std::size_t faces,
                      const Specialization& specialization, const Bindings& bindings,
@@ -43,7 +43,8 @@ class PredictionDrawer {
                                               float tolerance);
 
     Device& device_;
-    float near_plane_;
+    interop::FrameInfo info_;
+    const Buffer& frame_;
     Attachment colour_;
     Attachment depth_;
     Buffer triangles_;

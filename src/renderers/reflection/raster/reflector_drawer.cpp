@@ -126,7 +126,6 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
           make_buffer<interop::ReflectorTriangle>(device, reflectors.triangles, "reflector triangles")),
       vertex_reflections_(device, std::max(1u, vertex_count_) * sizeof(interop::VertexReflection),
                           "vertex reflections"),
-      faces_(make_buffer<interop::MapFace>(device, faces, "faces of the maps")),
       straddling_(device, (clip_.polygons + 1) * sizeof(std::uint32_t), "straddling polygons before each"),
       drawn_polygons_(
           make_buffer<std::uint32_t>(device, all_polygons(clip_.polygons), "polygons drawn whole")),
@@ -140,7 +139,7 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
                      sizeof(interop::ReflectVerticesPush)),
       vertex_set_(vertex_kernel_.bind(with_polygons({}))),
       whole_(device, "draw_reflectors", whole_vertex(kind), whole_fragment(kind, tolerance),
-             specialise(specialization, kind, faces.size()), sizeof(interop::RasterPush), whole_depth(kind)),
+             specialise(specialization, kind, faces.size()), sizeof(interop::ImagePush), whole_depth(kind)),
       whole_set_(whole_.bind(with_polygons(bindings))) {
     for (Buffer* buffer : {&whole_pieces_, &cut_pieces_, &cut_corners_, &draw_arguments_})
         buffer->fill_with_zero();
@@ -148,7 +147,7 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
         clipping_.emplace(make_clipping(
             add_constants(specialization, features_, interop::MAP_KIND_PIECES, faces.size()), bindings));
     } else {
-        depth_.emplace(make_depth_pass());
+        depth_.emplace(make_depth_pass(bindings));
     }
 }
 
@@ -167,7 +166,6 @@ Bindings ReflectorDrawer::with_polygons(Bindings others) const {
     others.merge(Bindings{{interop::BINDING_REFLECTOR_VERTICES, &vertices_},
                           {interop::BINDING_REFLECTOR_TRIANGLES, &triangles_},
                           {interop::BINDING_VERTEX_REFLECTIONS, &vertex_reflections_},
-                          {interop::BINDING_MAP_FACES, &faces_},
                           {interop::BINDING_STRADDLING, &straddling_},
                           {interop::BINDING_DRAWN_POLYGONS, &drawn_polygons_},
                           {interop::BINDING_CUT_COUNTS, &cut_counts_},
@@ -178,24 +176,24 @@ Bindings ReflectorDrawer::with_polygons(Bindings others) const {
     return others;
 }
 
-ReflectorDrawer::DepthPass ReflectorDrawer::make_depth_pass() const {
+ReflectorDrawer::DepthPass ReflectorDrawer::make_depth_pass(const Bindings& bindings) const {
     RasterPipeline pipeline(device_, "draw_reflector_depth", kernels::draw_reflector_depth_vert, {}, {},
-                            sizeof(interop::RasterPush));
-    BindingSet set = pipeline.bind(with_polygons({}));
+                            sizeof(interop::ImagePush));
+    BindingSet set = pipeline.bind(with_polygons(bindings));
     return {std::move(pipeline), std::move(set)};
 }
 
 ReflectorDrawer::TwoRuns ReflectorDrawer::make_two_runs(const std::string& name,
                                                         std::span<const std::uint32_t> spirv,
                                                         Specialization specialization,
-                                                        const Kernel& prefix_sum,
-                                                        const Buffer& counts) const {
+                                                        const Kernel& prefix_sum, const Buffer& counts,
+                                                        const Bindings& all) const {
     Kernel count(device_, name + ", counting", spirv, specialization, sizeof(interop::ClipPush));
     specialization[interop::SPEC_WRITES] = 1;
     Kernel write(device_, name + ", writing", spirv, specialization, sizeof(interop::ClipPush));
-    BindingSet count_set = count.bind(with_polygons({}));
+    BindingSet count_set = count.bind(all);
     BindingSet sum_set = prefix_sum.bind({{interop::BINDING_SUMMED_COUNTS, &counts}});
-    BindingSet write_set = write.bind(with_polygons({}));
+    BindingSet write_set = write.bind(all);
     return {std::move(count), std::move(write), std::move(count_set), std::move(sum_set),
             std::move(write_set)};
 }
@@ -205,13 +203,13 @@ ReflectorDrawer::Clipping ReflectorDrawer::make_clipping(const Specialization& s
     const Bindings all = with_polygons(bindings);
     Kernel prefix_sum(device_, "prefix_sum", kernels::prefix_sum, {}, sizeof(interop::PrefixSumPush));
     TwoRuns sort =
-        make_two_runs("sort_polygons", kernels::sort_polygons, specialization, prefix_sum, straddling_);
+        make_two_runs("sort_polygons", kernels::sort_polygons, specialization, prefix_sum, straddling_, all);
     TwoRuns cut =
-        make_two_runs("cut_polygons", kernels::cut_polygons, specialization, prefix_sum, cut_counts_);
+        make_two_runs("cut_polygons", kernels::cut_polygons, specialization, prefix_sum, cut_counts_, all);
     RasterPipeline draw_whole(device_, "draw_whole_pieces", kernels::draw_whole_pieces_vert,
-                              kernels::draw_reflector_frag, specialization, sizeof(interop::RasterPush));
+                              kernels::draw_reflector_frag, specialization, sizeof(interop::ImagePush));
     RasterPipeline draw_cut(device_, "draw_cut_pieces", kernels::draw_cut_pieces_vert,
-                            kernels::draw_reflector_frag, specialization, sizeof(interop::RasterPush));
+                            kernels::draw_reflector_frag, specialization, sizeof(interop::ImagePush));
     BindingSet draw_whole_set = draw_whole.bind(all);
     BindingSet draw_cut_set = draw_cut.bind(all);
     return {std::move(prefix_sum), std::move(sort),           std::move(cut),         std::move(draw_whole),
@@ -236,7 +234,7 @@ double ReflectorDrawer::look_from(const interop::ReflectVerticesPush& eye) {
 }
 
 void ReflectorDrawer::warm_up(const vk::raii::CommandBuffer& commands) const {
-    const interop::RasterPush nothing{};
+    const interop::ImagePush nothing{};
     if (clipping_) {
         clipping_->draw_whole.draw(commands, clipping_->draw_whole_set, nothing, 0, 1);
         clipping_->draw_cut.draw(commands, clipping_->draw_cut_set, nothing, 0, 1);
@@ -245,7 +243,7 @@ void ReflectorDrawer::warm_up(const vk::raii::CommandBuffer& commands) const {
     whole_.draw(commands, whole_set_, nothing, 0, 1);
 }
 
-void ReflectorDrawer::draw(const vk::raii::CommandBuffer& commands, const interop::RasterPush& push) const {
+void ReflectorDrawer::draw(const vk::raii::CommandBuffer& commands, const interop::ImagePush& push) const {
     if (depth_) {
         depth_->pipeline.draw(commands, depth_->bindings, push, 0, clip_.polygons);
         return whole_.draw(commands, whole_set_, push, 0, clip_.polygons);

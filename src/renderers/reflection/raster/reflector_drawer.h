@@ -25,7 +25,7 @@ class ReflectorDrawer {
     /// @param reflectors with at least one polygon
     /// @param faces of the polyhedron; empty for sphere maps
     /// @param specialization of the fragment stage
-    /// @param bindings of scene, light cache and maps
+    /// @param bindings of scene, light cache, maps and BINDING_FRAME
     /// @param most_cut_pieces see MapSettings, > 0
     /// @param tolerance of MapKind::hybrid
     ReflectorDrawer(Device& device, const SceneData& data, const Reflectors& reflectors, MapKind kind,
@@ -40,7 +40,7 @@ class ReflectorDrawer {
     void warm_up(const vk::raii::CommandBuffer& commands) const;
 
     /// Records the draws, inside draw_into(), after the depth of what is not reflective.
-    void draw(const vk::raii::CommandBuffer& commands, const interop::RasterPush& push) const;
+    void draw(const vk::raii::CommandBuffer& commands, const interop::ImagePush& push) const;
 
     [[nodiscard]] std::uint32_t polygon_count() const { return clip_.polygons; }
     /// Buffers of the polygons and what their vertices reflect, added to others.
@@ -84,10 +84,10 @@ class ReflectorDrawer {
         BindingSet bindings;
     };
 
-    [[nodiscard]] DepthPass make_depth_pass() const;
+    [[nodiscard]] DepthPass make_depth_pass(const Bindings& bindings) const;
     [[nodiscard]] TwoRuns make_two_runs(const std::string& name, std::span<const std::uint32_t> spirv,
                                         Specialization specialization, const Kernel& prefix_sum,
-                                        const Buffer& counts) const;
+                                        const Buffer& counts, const Bindings& all) const;
     [[nodiscard]] Clipping make_clipping(const Specialization& specialization,
                                          const Bindings& bindings) const;
     void run_twice(const vk::raii::CommandBuffer& commands, const TwoRuns& runs) const;
@@ -99,7 +99,6 @@ class ReflectorDrawer {
     Buffer vertices_;
     Buffer triangles_;
     Buffer vertex_reflections_;
-    Buffer faces_;
     Buffer straddling_;
     Buffer drawn_polygons_;
     Buffer cut_counts_;

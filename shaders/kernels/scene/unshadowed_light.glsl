@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light that would reach a diffuse surface if nothing stood between it and the lights, in closed form. The including
-// kernel declares the scene's buffers and which kinds of light the scene has.
-#ifndef UTSURI_LIB_UNSHADOWED_LIGHT
-#define UTSURI_LIB_UNSHADOWED_LIGHT
+// Light that would reach a diffuse surface if nothing stood between it and the lights, in closed form.
+#ifndef UTSURI_KERNELS_SCENE_UNSHADOWED_LIGHT
+#define UTSURI_KERNELS_SCENE_UNSHADOWED_LIGHT
 
-#include "lib/lights.glsl"
+#include "kernels/scene/lights.glsl"
 
 /// Twice the part of Lambert's contour integral (1760) along the great circle from unit vector a to b.
 float contour_part(vec3 a, vec3 b, vec3 n) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // How wrong a look-up in a reflection map can be, told before what it stands in for is known.
-#ifndef UTSURI_LIB_PREDICTION
-#define UTSURI_LIB_PREDICTION
+#ifndef UTSURI_KERNELS_HYBRID_PREDICTION
+#define UTSURI_KERNELS_HYBRID_PREDICTION
 
-#include "lib/distance_search.glsl"
+#include "kernels/distances/distance_search.glsl"
 
 /// Angle between vectors of any length; 0 where one of them is zero.
 float angle_between(vec3 a, vec3 b) {

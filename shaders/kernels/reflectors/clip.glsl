@@ -6,12 +6,10 @@
 // largest. The corners of the pieces are named by what they are the meeting of, and their coordinates follow from the
 // name alone: a corner of the triangle, an edge of it and the boundary of two faces, or the directions where three
 // faces meet. Pieces that share a corner, in one triangle or in two neighbours, so agree on it to the bit.
-//
-// The including kernel declares map_faces[] and FACE_COUNT.
-#ifndef UTSURI_LIB_CLIP
-#define UTSURI_LIB_CLIP
+#ifndef UTSURI_KERNELS_REFLECTORS_CLIP
+#define UTSURI_KERNELS_REFLECTORS_CLIP
 
-#include "lib/map_face.glsl"
+#include "kernels/maps/map_faces.glsl"
 #include "lib/numeric.glsl"
 
 /// A triangle to be cut: its corners' positions decide the direction in which an edge is cut.

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finding a face of the polyhedron of maps. The including kernel declares map_faces[] and FACE_COUNT.
-#ifndef UTSURI_LIB_MAP_FACE
-#define UTSURI_LIB_MAP_FACE
+// The faces of the polyhedron of maps.
+#ifndef UTSURI_KERNELS_MAPS_MAP_FACES
+#define UTSURI_KERNELS_MAPS_MAP_FACES
+
+#extension GL_EXT_scalar_block_layout : require
+
+#include "interop/bindings.h"
+#include "lib/map_constants.glsl"
+
+layout(scalar, set = METHOD_SET, binding = BINDING_MAP_FACES) uniform MapFaces { MapFace map_faces[MAP_MOST_FACES]; };
 
 /// The face that a direction of any length points at: the first of equals.
 uint map_face(vec3 direction) {

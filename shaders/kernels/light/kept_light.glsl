@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What kernels that shade with light kept on surfaces share.
-#include "interop/light_cache.h"
+// Light kept on surfaces.
+#ifndef UTSURI_KERNELS_LIGHT_KEPT_LIGHT
+#define UTSURI_KERNELS_LIGHT_KEPT_LIGHT
+#include "kernels/light/lattices.glsl"
 #include "lib/lattice.glsl"
 
-layout(scalar, binding = BINDING_LIGHT_CACHE_TRIANGLES) readonly restrict buffer CacheTriangles {
-    LightCacheTriangle cache_triangles[];
-};
-layout(scalar, binding = BINDING_LIGHT_CACHE_POINTS) readonly restrict buffer CachePoints {
+layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_CACHE_POINTS) readonly restrict buffer CachePoints {
     LightCachePoint cache_points[];
 };
 
@@ -21,3 +20,5 @@ vec3 cached_light(LightCacheTriangle lattice, vec2 b, bool front) {
     }
     return sum;
 }
+
+#endif

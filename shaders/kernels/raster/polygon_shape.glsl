@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sets what the vertex stage tells of the shape about a triangle of the scene.
+#ifndef UTSURI_KERNELS_RASTER_POLYGON_SHAPE
+#define UTSURI_KERNELS_RASTER_POLYGON_SHAPE
 
-layout(scalar, binding = BINDING_SELF_HORIZONS) readonly restrict buffer SelfHorizons { float self_horizons[]; };
+#include "kernels/raster/drawn_shape.glsl"
+#include "kernels/raster/drawn_surface.glsl"
+#include "kernels/scene/scene_bindings.glsl"
+
+layout(scalar, set = METHOD_SET, binding = BINDING_SELF_HORIZONS) readonly restrict buffer SelfHorizons { float self_horizons[]; };
 
 /// Turn of the normal along an edge over its length.
 float edge_curvature(vec3 from, vec3 to, vec3 from_normal, vec3 to_normal) {
@@ -25,3 +31,5 @@ void set_drawn_shape() {
     drawn_curvature = least_curvature(drawn_ids.x);
     drawn_horizon = self_horizons[drawn_ids.x];
 }
+
+#endif

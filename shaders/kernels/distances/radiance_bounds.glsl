@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // How bright and how dark what a capture point sees along an arc of directions can be.
-//
-// The including kernel declares darkest[] and brightest[] beside what lib/distance_search.glsl needs.
-#ifndef UTSURI_LIB_RADIANCE_BOUNDS
-#define UTSURI_LIB_RADIANCE_BOUNDS
+#ifndef UTSURI_KERNELS_DISTANCES_RADIANCE_BOUNDS
+#define UTSURI_KERNELS_DISTANCES_RADIANCE_BOUNDS
 
-#include "lib/distance_search.glsl"
+#include "kernels/distances/distance_search.glsl"
+
+layout(scalar, set = METHOD_SET, binding = BINDING_DARKEST) readonly restrict buffer Darkest { vec3 darkest[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_BRIGHTEST) readonly restrict buffer Brightest { vec3 brightest[]; };
 
 /// Per channel.
 struct RadianceBounds {

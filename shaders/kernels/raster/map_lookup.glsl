@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a drawn reflector shows: the light along its mirrored direction, from its maps. Comes after drawn_light.glsl.
-#include "kernels/maps/map_bindings.glsl"
+// What a drawn reflector shows: the light along its mirrored direction, from its maps.
+#ifndef UTSURI_KERNELS_RASTER_MAP_LOOKUP
+#define UTSURI_KERNELS_RASTER_MAP_LOOKUP
 
-layout(scalar, binding = BINDING_MAP_FACES) readonly restrict buffer MapFaces { MapFace map_faces[]; };
-layout(scalar, binding = BINDING_PROXY_PLANES) readonly restrict buffer ProxyPlanes { ProxyPlane proxy_planes[]; };
-
+#include "kernels/maps/map_faces.glsl"
+#include "kernels/maps/map_texels.glsl"
+#include "kernels/maps/proxies.glsl"
+#include "kernels/raster/drawn_surface.glsl"
 #include "lib/camera.glsl"
-#include "lib/map_face.glsl"
-#include "lib/proxy.glsl"
+#include "lib/surface.glsl"
 
 vec3 polygon_map(uint probe, vec3 direction) {
     uint face = map_face(direction);
     vec3 p = map_position(map_faces[face], direction);
     return sample_map(probe, face, p.xy / p.z);
-}
-
-vec3 leave_proxy(vec3 origin, vec3 direction, ProxyInfo proxy) {
-    if (HAS_PROXY_PLANES == 0u || proxy.planes == 0u) return leave_box(origin, direction, proxy.lower, proxy.upper);
-    float t = INFINITY;
-    for (uint i = 0u; i < proxy.planes; ++i)
-        t = leave_half_space(t, origin, direction, proxy_planes[proxy.first_plane + i]);
-    return origin + max(t, 0.0) * direction;
 }
 
 /// The probe whose maps a pixel looks up. What is found per vertex comes with the probe of its polygon.
@@ -69,3 +62,5 @@ float texel_angle(uint probe, vec3 direction) {
     MapFace face = map_faces[map_face(direction)];
     return face.half_diagonal / size * dot(face.outward, direction) / length(direction);
 }
+
+#endif

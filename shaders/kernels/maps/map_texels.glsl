@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What fragment stages that look reflections up in captured maps share.
-#include "kernels/maps/probe_bindings.glsl"
+// The texels of reflection maps, which are captured when they are first looked up.
+#ifndef UTSURI_KERNELS_MAPS_MAP_TEXELS
+#define UTSURI_KERNELS_MAPS_MAP_TEXELS
 
-layout(constant_id = SPEC_FACE_COUNT) const uint FACE_COUNT = CUBE_FACES;
+#include "kernels/maps/probes.glsl"
 
-layout(scalar, binding = BINDING_MAP_TEXELS) readonly restrict buffer MapTexels { vec3 map_texels[]; };
-layout(scalar, binding = BINDING_MAP_STATES) restrict buffer MapStates {
+layout(scalar, set = METHOD_SET, binding = BINDING_MAP_TEXELS) readonly restrict buffer MapTexels { vec3 map_texels[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_MAP_STATES) restrict buffer MapStates {
     uint wanted_maps;
     uint map_states[];
 };
@@ -31,3 +32,5 @@ vec3 sample_map(uint probe, uint face, vec2 p) {
     vec3 bottom = mix(map_texels[texel + stride], map_texels[texel + stride + 1u], f.x);
     return mix(top, bottom, f.y);
 }
+
+#endif

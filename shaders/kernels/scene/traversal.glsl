@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closest-hit and any-hit search of the BVH. The including kernel declares before: STACK_SIZE (the depth of the tree),
-// EXCLUDES_INSTANCE, and the buffers bvh_nodes, bvh_triangles and triangle_infos.
-#ifndef UTSURI_LIB_TRAVERSAL
-#define UTSURI_LIB_TRAVERSAL
+// Closest-hit and any-hit search of the BVH.
+#ifndef UTSURI_KERNELS_SCENE_TRAVERSAL
+#define UTSURI_KERNELS_SCENE_TRAVERSAL
 
+#extension GL_EXT_control_flow_attributes : require
+
+#include "kernels/scene/scene_bindings.glsl"
 #include "lib/bvh_node.glsl"
 #include "lib/triangle.glsl"
 

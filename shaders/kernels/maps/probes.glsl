@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The capture points of reflectors, and which of them a look-up takes.
-#include "interop/reflection.h"
+#ifndef UTSURI_KERNELS_MAPS_PROBES
+#define UTSURI_KERNELS_MAPS_PROBES
 
-layout(constant_id = SPEC_MOST_PROBES) const uint MOST_PROBES = 1u;
+#extension GL_EXT_scalar_block_layout : require
 
-layout(scalar, binding = BINDING_PROBES) readonly restrict buffer Probes { ProbeInfo probes[]; };
-layout(scalar, binding = BINDING_PROBE_RANGES) readonly restrict buffer ProbeRanges { ProbeRange probe_ranges[]; };
+#include "interop/bindings.h"
+#include "lib/map_constants.glsl"
+#include "lib/numeric.glsl"
+
+layout(scalar, set = METHOD_SET, binding = BINDING_PROBES) readonly restrict buffer Probes { ProbeInfo probes[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_PROBE_RANGES) readonly restrict buffer ProbeRanges { ProbeRange probe_ranges[]; };
 
 /// The probe that a reflected ray passes nearest, the first of equals: its parallax is least, however far the ray goes.
 /// @param direction of any length
@@ -24,3 +29,5 @@ uint nearest_probe(uint reflector, vec3 position, vec3 direction) {
     }
     return nearest;
 }
+
+#endif

@@ -5,13 +5,15 @@
 // nearer than that, and has met something at the latest when, without having passed behind anything, it is farther. The
 // search goes along the ray over blocks of texels, larger ones where these prove it to be in the open, as rays are marched
 // over minima of a height field (Uludag 2014).
-//
-// The including kernel declares DISTANCE_SIZE, distance_samples[] and distance_bounds[].
-#ifndef UTSURI_LIB_DISTANCE_SEARCH
-#define UTSURI_LIB_DISTANCE_SEARCH
+#ifndef UTSURI_KERNELS_DISTANCES_DISTANCE_SEARCH
+#define UTSURI_KERNELS_DISTANCES_DISTANCE_SEARCH
 
 #include "lib/cube.glsl"
-#include "lib/inverse_depth.glsl"
+#include "kernels/distances/inverse_depth.glsl"
+
+layout(scalar, set = METHOD_SET, binding = BINDING_DISTANCE_BOUNDS) readonly restrict buffer DistanceBoundsBuffer {
+    DistanceBounds distance_bounds[];
+};
 
 /// A ray seen from the capture point.
 struct SearchRay {

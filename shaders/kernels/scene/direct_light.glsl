@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Direct light at a surface by one light sample with a shadow ray. At a rough lobe the light that has an extent is also
 // met by rays of the lobe; the two share the work by the balance heuristic (Veach and Guibas 1995).
-#ifndef UTSURI_LIB_DIRECT_LIGHT
-#define UTSURI_LIB_DIRECT_LIGHT
+#ifndef UTSURI_KERNELS_SCENE_DIRECT_LIGHT
+#define UTSURI_KERNELS_SCENE_DIRECT_LIGHT
 
 #include "lib/bsdf.glsl"
-#include "lib/lights.glsl"
+#include "kernels/scene/lights.glsl"
 #include "lib/sampler.glsl"
 
 /// Pairs of sample dimensions that one surface uses.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture lookups from a buffer of RGBA8 texels, filtered here so that every device gives the same picture. The
-// including kernel declares the buffers texture_headers and texels.
-#ifndef UTSURI_LIB_TEXTURE
-#define UTSURI_LIB_TEXTURE
+// Texture lookups from a buffer of RGBA8 texels, filtered here so that every device gives the same picture.
+#ifndef UTSURI_KERNELS_SCENE_TEXTURE
+#define UTSURI_KERNELS_SCENE_TEXTURE
+
+#include "kernels/scene/scene_bindings.glsl"
 
 /// Texel index for any integer, by the wrap modes of scene/texture.h.
 int wrap_texel(int i, int size, uint mode) {

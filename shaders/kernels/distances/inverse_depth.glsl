@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // One over how far out of its face what is seen through a texel is: affine on the face where that is a plane, so that
-// interpolating it between texels is exact there. The including kernel declares DISTANCE_SIZE and distance_samples[].
-#ifndef UTSURI_LIB_INVERSE_DEPTH
-#define UTSURI_LIB_INVERSE_DEPTH
+// interpolating it between texels is exact there.
+#ifndef UTSURI_KERNELS_DISTANCES_INVERSE_DEPTH
+#define UTSURI_KERNELS_DISTANCES_INVERSE_DEPTH
 
+#include "kernels/distances/distance_samples.glsl"
 #include "lib/numeric.glsl"
-
-const uint DISTANCE_STRIDE = DISTANCE_SIZE + 2u * DISTANCE_BORDER;
 
 /// @param distance as DistanceSample has it
 /// @param place in texels from the border's corner

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The distances about the capture points of reflectors, and the search for what a mirrored ray meets.
-#include "interop/distance_map.h"
+#ifndef UTSURI_KERNELS_DISTANCES_PROBE_SEARCH
+#define UTSURI_KERNELS_DISTANCES_PROBE_SEARCH
 
-layout(constant_id = SPEC_DISTANCE_SIZE) const uint DISTANCE_SIZE = 256u;
+#include "kernels/distances/distance_search.glsl"
+#include "kernels/maps/probes.glsl"
 
-layout(scalar, binding = BINDING_DISTANCE_MAPS) readonly restrict buffer DistanceMaps { DistanceMapInfo distance_maps[]; };
-layout(scalar, binding = BINDING_DISTANCE_SAMPLES) readonly restrict buffer DistanceSamples {
-    DistanceSample distance_samples[];
+layout(scalar, set = METHOD_SET, binding = BINDING_DISTANCE_MAPS) readonly restrict buffer DistanceMaps {
+    DistanceMapInfo distance_maps[];
 };
-layout(scalar, binding = BINDING_DISTANCE_BOUNDS) readonly restrict buffer DistanceBoundsBuffer {
-    DistanceBounds distance_bounds[];
-};
-
-#include "lib/distance_search.glsl"
 
 /// Whether distances say what a ray can meet: they say nothing of the reflector itself, nor of what is behind a plane mirror.
 /// @param misses_itself whether the ray cannot meet the reflector again, if that is no plane
@@ -59,3 +55,5 @@ HitInterval outline_hit(DistanceMapInfo map, SearchRay ray, bool misses_itself) 
     if (!distances_tell(map, ray, misses_itself) || length(ray.origin) >= nearest) return HitInterval(0.0, INFINITY, INFINITY);
     return HitInterval(ray_at_distance(ray, nearest), INFINITY, INFINITY);
 }
+
+#endif

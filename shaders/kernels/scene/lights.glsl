@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choosing a light and a point on it. The including kernel declares the scene's buffers and which kinds of light the
-// scene has.
-#ifndef UTSURI_LIB_LIGHTS
-#define UTSURI_LIB_LIGHTS
+// Choosing a light and a point on it.
+#ifndef UTSURI_KERNELS_SCENE_LIGHTS
+#define UTSURI_KERNELS_SCENE_LIGHTS
 
 #include "interop/scene.h"
 #include "lib/frame.glsl"
-#include "lib/surface.glsl"
+#include "kernels/scene/surface.glsl"
 #include "lib/trigonometry.glsl"
 
 struct LightSample {
