@@ -25,6 +25,7 @@ struct MaterialInfo {
     float roughness;       ///< perceptual
     float dielectric_f0;   ///< reflectance of the dielectric part at normal incidence
     float dielectric_f90;  ///< the same at grazing incidence
+    float ior;             ///< index of refraction behind the front over that before it, > 0
     uint double_sided;     ///< 1: emits from both sides
     TextureSlotInfo base_colour_texture;
     TextureSlotInfo metallic_roughness_texture;

@@ -10,12 +10,12 @@ layout(constant_id = SPEC_STACK_SIZE) const uint STACK_SIZE = BVH_MAX_DEPTH;
 layout(constant_id = SPEC_HAS_TEXTURES) const bool HAS_TEXTURES = true;
 layout(constant_id = SPEC_HAS_TRIANGLE_LIGHTS) const bool HAS_TRIANGLE_LIGHTS = true;
 layout(constant_id = SPEC_HAS_PUNCTUAL_LIGHTS) const bool HAS_PUNCTUAL_LIGHTS = true;
-layout(constant_id = SPEC_HAS_ENVIRONMENT) const bool HAS_ENVIRONMENT = true;
 layout(constant_id = SPEC_HAS_GLOSSY) const bool HAS_GLOSSY = true;
 layout(constant_id = SPEC_HAS_SPECULAR) const bool HAS_SPECULAR = true;
 layout(constant_id = SPEC_EXCLUDES_INSTANCE) const bool EXCLUDES_INSTANCE = false;
 layout(constant_id = SPEC_LIGHT_COUNT) const uint LIGHT_COUNT = 0u;
-/// The environment, where there is one, is the first light.
-const uint ENVIRONMENT_LIGHT = 0u;
+/// Index of the surroundings among the lights, or NONE.
+layout(constant_id = SPEC_ENVIRONMENT_LIGHT) const uint ENVIRONMENT_LIGHT = 0u;
+const bool HAS_ENVIRONMENT = ENVIRONMENT_LIGHT != NONE;
 
 #endif

@@ -15,6 +15,8 @@ struct Surface {
     uint triangle;
     uint material;
     uint instance;
+    bool front;          ///< the viewer is on the side that the triangle's vertices go round counterclockwise
+    float eta;           ///< index of refraction on the far side over that on the viewer's side
     vec3 base_colour;
     float metallic;
     float alpha;         ///< GGX width; 0 where the surface is a perfect mirror or smooth dielectric
@@ -53,6 +55,21 @@ vec3 keep_off_edges(BvhTriangle vertices, vec3 b, vec3 error_bound) {
     if (all(greaterThanEqual(b, vec3(margin)))) return b;
     b = max(b, vec3(margin));
     return b / (b.x + b.y + b.z);
+}
+
+/// Whether a direction leaves the surface on the viewer's side.
+bool is_above(Surface surface, vec3 wi) {
+    return dot(surface.ns, wi) > 0.0 && dot(surface.ng, wi) > 0.0;
+}
+
+/// What choosing a light for a point is told of the surface there.
+struct Receiver {
+    vec3 position;
+    vec3 normal;  ///< unit shading normal, on the side that light is gathered for
+};
+
+Receiver receiver_of(Surface surface) {
+    return Receiver(surface.position, surface.ns);
 }
 
 vec3 leave_surface(Surface surface, vec3 w) {

@@ -202,7 +202,7 @@ std::map<std::string, HostStruct> host_structs() {
          {sizeof(MaterialInfo),
           {AT(MaterialInfo, base_colour), AT(MaterialInfo, metallic), AT(MaterialInfo, emissive),
            AT(MaterialInfo, roughness), AT(MaterialInfo, dielectric_f0), AT(MaterialInfo, dielectric_f90),
-           AT(MaterialInfo, double_sided), AT(MaterialInfo, base_colour_texture),
+           AT(MaterialInfo, ior), AT(MaterialInfo, double_sided), AT(MaterialInfo, base_colour_texture),
            AT(MaterialInfo, metallic_roughness_texture), AT(MaterialInfo, emissive_texture)}}},
         {"TextureHeader",
          {sizeof(TextureHeader),

@@ -5,7 +5,7 @@
 #define DISTANCE_SAMPLES_ACCESS writeonly
 #include "kernels/distances/distance_samples.glsl"
 #include "kernels/scene/surface.glsl"
-#include "lib/bsdf.glsl"
+#include "lib/reflectance.glsl"
 #include "lib/cube.glsl"
 
 layout(local_size_x = 64) in;

@@ -9,7 +9,7 @@
 #include "kernels/raster/drawn_shape.glsl"
 #include "kernels/raster/map_lookup.glsl"
 #include "kernels/raster/view.glsl"
-#include "lib/bsdf.glsl"
+#include "lib/lobes/mirror.glsl"
 
 struct DrawnReflection {
     uint probe;

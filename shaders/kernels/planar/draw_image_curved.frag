@@ -5,6 +5,7 @@
 #include "kernels/planar/image_pixel.glsl"
 #include "kernels/raster/drawn_light.glsl"
 #include "kernels/raster/map_lookup.glsl"
+#include "lib/lobes/mirror.glsl"
 
 layout(location = 1) out vec4 drawn_throughput;
 

@@ -5,6 +5,7 @@
 #include "kernels/distances/probe_search.glsl"
 #include "kernels/raster/drawn_light.glsl"
 #include "kernels/raster/map_lookup.glsl"
+#include "lib/lobes/mirror.glsl"
 
 void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/raster/drawn_light.glsl"
 #include "kernels/raster/map_lookup.glsl"
+#include "lib/lobes/mirror.glsl"
 
 void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);

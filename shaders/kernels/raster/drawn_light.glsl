@@ -17,7 +17,7 @@ layout(location = 0) out vec4 drawn;
 MaterialInfo drawn_material() {
     TextureSlotInfo none = TextureSlotInfo(NONE, 0u);
     MaterialInfo material = MaterialInfo(drawn_colour.rgb, drawn_colour.a, drawn_emissive, drawn_lobe.x, drawn_lobe.y,
-                                         drawn_lobe.z, drawn_ids.z, none, none, none);
+                                         drawn_lobe.z, drawn_lobe.w, drawn_ids.z, none, none, none);
     if (HAS_TEXTURES) {
         material.base_colour_texture = materials[drawn_ids.y].base_colour_texture;
         material.metallic_roughness_texture = materials[drawn_ids.y].metallic_roughness_texture;
@@ -53,22 +53,24 @@ vec3 punctual_highlights(Surface surface, vec3 wo) {
     Candidate taken;
     float taken_weight = 0.0;
     float sum = 0.0;
-    // After the environment, and before lights with extent.
-    for (uint i = HAS_ENVIRONMENT ? 1u : 0u; i < LIGHT_COUNT && lights[i].type != LIGHT_TRIANGLE; ++i) {
-        LightSample s = sample_punctual_light(lights[i], surface);
+    // They come before lights with extent.
+    for (uint i = 0u; i < LIGHT_COUNT && lights[i].type != LIGHT_TRIANGLE; ++i) {
+        if (HAS_ENVIRONMENT && i == ENVIRONMENT_LIGHT) continue;
+        float probability = lights[i].probability;
+        LightSample s = sample_punctual_light(lights[i], probability, surface);
         if (!is_above(surface, s.direction)) continue;
-        vec3 value = glossy_lobe(surface, wo, s.direction) * s.irradiance *
-                     (lights[i].probability * dot(surface.ns, s.direction));
+        vec3 value =
+            glossy_value(surface, wo, s.direction) * s.irradiance * (probability * dot(surface.ns, s.direction));
         float weight = value.x + value.y + value.z;
         if (!(weight > 0.0)) continue;
         sum += weight;
-        float probability = weight / sum;
-        if (remaining < probability) {
+        float share = weight / sum;
+        if (remaining < share) {
             taken = Candidate(s, value);
             taken_weight = weight;
-            remaining /= probability;
+            remaining /= share;
         } else {
-            remaining = (remaining - probability) / (1.0 - probability);
+            remaining = (remaining - share) / (1.0 - share);
         }
     }
     if (taken_weight == 0.0 || !is_light_visible(surface, taken.light, NONE)) return vec3(0.0);

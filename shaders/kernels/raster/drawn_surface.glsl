@@ -22,6 +22,6 @@ layout(location = 5) DRAWN_FLAT uvec4 drawn_cache;  // LightCacheTriangle
 layout(location = 6) DRAWN_FLAT vec3 drawn_ng;      // unit, on the front
 layout(location = 7) DRAWN_FLAT vec4 drawn_colour;  // base colour, metallic
 layout(location = 8) DRAWN_FLAT vec3 drawn_emissive;
-layout(location = 9) DRAWN_FLAT vec3 drawn_lobe;    // roughness, f0, f90
+layout(location = 9) DRAWN_FLAT vec4 drawn_lobe;    // roughness, f0, f90, index of refraction
 
 #endif

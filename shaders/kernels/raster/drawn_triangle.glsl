@@ -16,7 +16,7 @@ void set_drawn_triangle(uint triangle, vec2 b) {
     MaterialInfo material = materials[info.material];
     drawn_colour = vec4(material.base_colour, material.metallic);
     drawn_emissive = material.emissive;
-    drawn_lobe = vec3(material.roughness, material.dielectric_f0, material.dielectric_f90);
+    drawn_lobe = vec4(material.roughness, material.dielectric_f0, material.dielectric_f90, material.ior);
     LightCacheTriangle lattice = cache_triangles[triangle];
     drawn_cache = uvec4(lattice.first_point, lattice.intervals, lattice.rows_per_interval, lattice.apex);
     drawn_ids = uvec4(triangle, info.material, material.double_sided, NONE);

@@ -4,8 +4,9 @@
 #ifndef UTSURI_KERNELS_SCENE_DIRECT_LIGHT
 #define UTSURI_KERNELS_SCENE_DIRECT_LIGHT
 
-#include "lib/bsdf.glsl"
 #include "kernels/scene/lights.glsl"
+#include "lib/lobes/diffuse.glsl"
+#include "lib/lobes/glossy.glsl"
 #include "lib/sampler.glsl"
 
 /// Pairs of sample dimensions that one surface uses.
@@ -29,12 +30,12 @@ struct Candidate {
 };
 
 Candidate make_candidate(Surface surface, vec3 wo, float choice, vec2 u) {
-    LightSample s = sample_light(choose_light(choice), surface, u);
+    LightSample s = sample_light(choose_light(receiver_of(surface), choice), surface, u);
     if (!is_above(surface, s.direction)) return Candidate(s, vec3(0.0));
-    vec3 bsdf = diffuse_lobe(surface, wo, s.direction);
+    vec3 bsdf = diffuse_value(surface, wo, s.direction);
     if (HAS_GLOSSY && is_glossy(surface)) {
         float weight = s.pdf > 0.0 ? s.pdf / (s.pdf + glossy_pdf(surface, wo, s.direction)) : 1.0;
-        bsdf += weight * glossy_lobe(surface, wo, s.direction);
+        bsdf += weight * glossy_value(surface, wo, s.direction);
     }
     return Candidate(s, bsdf * s.irradiance * dot(surface.ns, s.direction));
 }
@@ -81,23 +82,10 @@ vec3 direct_light(Surface surface, vec3 wo, uint key, uint index, uint dimension
     return is_light_visible(surface, taken.light, excluded_instance) ? taken.value : vec3(0.0);
 }
 
-/// A ray of a rough lobe.
-struct LobeSample {
-    vec3 direction;
-    vec3 throughput;  ///< zero where the direction lies below the surface
-    float pdf;        ///< over solid angle
-    float cosine;     ///< to the shading normal
-};
-
-LobeSample sample_lobe(Surface surface, vec3 wo, uint key, uint index, uint dimension) {
-    vec3 wi = sample_glossy(surface, wo, sample_2d(key, index, dimension + 2u));
-    if (!is_above(surface, wi)) return LobeSample(wi, vec3(0.0), 0.0, 0.0);
-    return LobeSample(wi, glossy_throughput(surface, wo, wi), glossy_pdf(surface, wo, wi), dot(surface.ns, wi));
-}
-
-/// The share of the light that a ray of a rough lobe meets which is not left to light samples.
-float lobe_weight(LobeSample lobe, Hit hit) {
-    return lobe.pdf / (lobe.pdf + light_pdf(hit, lobe.direction, lobe.cosine));
+/// The share of the light that a ray sampled by a lobe meets which is not left to light samples.
+/// @param left what the ray left
+float lobe_weight(LobeSample lobe, Receiver left, Hit hit) {
+    return lobe.pdf / (lobe.pdf + light_pdf(hit, lobe.direction, left));
 }
 
 #endif

@@ -4,9 +4,8 @@
 #define UTSURI_KERNELS_SCENE_LIGHTS
 
 #include "interop/scene.h"
-#include "lib/frame.glsl"
+#include "lib/cosine.glsl"
 #include "kernels/scene/surface.glsl"
-#include "lib/trigonometry.glsl"
 
 struct LightSample {
     vec3 direction;      ///< unit, from the surface to the light
@@ -17,12 +16,17 @@ struct LightSample {
     uint triangle;       ///< the light's, or NONE
 };
 
-/// Walker's alias method (1977). u is used up.
-uint choose_light(float u) {
+/// A light for a point, by power (Walker's alias method, 1977). u is used up.
+uint choose_light(Receiver receiver, float u) {
     float scaled = u * float(LIGHT_COUNT);
     uint entry = min(uint(scaled), LIGHT_COUNT - 1u);
     LightTableEntry choice = light_table[entry];
     return scaled - float(entry) < choice.threshold ? entry : choice.alias;
+}
+
+/// The probability with which choose_light() takes a light for a point.
+float choice_probability(uint light, Receiver receiver) {
+    return lights[light].probability;
 }
 
 /// Density over solid angle with which direct_light() samples this point of a light triangle.
@@ -31,7 +35,7 @@ float triangle_light_pdf(float probability, float facing, float distance_squared
     return probability * 2.0 * distance_squared / facing;
 }
 
-LightSample sample_triangle_light(LightInfo light, Surface surface, vec2 u) {
+LightSample sample_triangle_light(LightInfo light, float probability, Surface surface, vec2 u) {
     BvhTriangle vertices = bvh_triangles[light.triangle];
     TriangleInfo info = triangle_infos[light.triangle];
     // Uniform over the triangle, without the square root's clumping of stratified samples (Heitz 2019).
@@ -47,14 +51,14 @@ LightSample sample_triangle_light(LightInfo light, Surface surface, vec2 u) {
     float facing = dot(area, -s.direction);
     vec2 texcoord = HAS_TEXTURES ? interpolated_texcoord(info.vertices, b1, b2) : vec2(0.0);
     vec3 radiance = emitted_radiance(materials[info.material], texcoord, facing > 0.0);
-    s.pdf = triangle_light_pdf(light.probability, abs(facing), dot(to_light, to_light));
+    s.pdf = triangle_light_pdf(probability, abs(facing), dot(to_light, to_light));
     s.irradiance = facing != 0.0 && s.pdf > 0.0 ? radiance / s.pdf : vec3(0.0);
     s.target = offset_origin(point, triangle_point_error(vertices, b1, b2), normalize_any_scale(area), -s.direction);
     return s;
 }
 
 /// KHR_lights_punctual: inverse square law, smooth cone, and the recommended window where a range is given.
-LightSample sample_punctual_light(LightInfo light, Surface surface) {
+LightSample sample_punctual_light(LightInfo light, float probability, Surface surface) {
     LightSample s;
     s.triangle = NONE;
     s.pdf = 0.0;
@@ -62,7 +66,7 @@ LightSample sample_punctual_light(LightInfo light, Surface surface) {
     s.target = light.position;
     if (s.infinite) {
         s.direction = -light.direction;
-        s.irradiance = light.intensity / light.probability;
+        s.irradiance = light.intensity / probability;
         return s;
     }
     vec3 to_light = light.position - surface.position;
@@ -77,7 +81,7 @@ LightSample sample_punctual_light(LightInfo light, Surface surface) {
         float cone = clamp(dot(light.direction, -s.direction) * light.spot_scale + light.spot_offset, 0.0, 1.0);
         factor *= cone * cone;
     }
-    s.irradiance = light.intensity * (factor / light.probability);
+    s.irradiance = light.intensity * (factor / probability);
     return s;
 }
 
@@ -86,29 +90,25 @@ float environment_pdf(float probability, float cosine) {
     return probability * cosine / PI;
 }
 
-/// Density over solid angle with which a light sample at the origin of a ray would have found what the ray meets.
-/// @param cosine of the ray to the shading normal of the surface that it left
-float light_pdf(Hit hit, vec3 direction, float cosine) {
+/// Density over solid angle with which a light sample would have found what a ray meets.
+/// @param left what the ray left
+float light_pdf(Hit hit, vec3 direction, Receiver left) {
     if (hit.triangle == NONE) {
-        return HAS_ENVIRONMENT ? environment_pdf(lights[ENVIRONMENT_LIGHT].probability, cosine) : 0.0;
+        return HAS_ENVIRONMENT ? environment_pdf(choice_probability(ENVIRONMENT_LIGHT, left), dot(left.normal, direction)) : 0.0;
     }
     uint light = triangle_infos[hit.triangle].light;
     if (!HAS_TRIANGLE_LIGHTS || light == NONE) return 0.0;
     float facing = abs(dot(triangle_cross(bvh_triangles[hit.triangle]), direction));
-    return triangle_light_pdf(lights[light].probability, facing, hit.t * hit.t);
+    return triangle_light_pdf(choice_probability(light, left), facing, hit.t * hit.t);
 }
 
-LightSample sample_environment(LightInfo light, Surface surface, vec2 u) {
-    vec3 tangent, bitangent;
-    make_basis(surface.ns, tangent, bitangent);
-    vec2 disc = sqrt(u.x) * cos_sin_of_turn(u.y);
-    float cosine = sqrt(1.0 - u.x);
+LightSample sample_environment(LightInfo light, float probability, Surface surface, vec2 u) {
     LightSample s;
-    s.direction = disc.x * tangent + disc.y * bitangent + cosine * surface.ns;
+    s.direction = cosine_direction(surface.ns, u);
     s.infinite = true;
     s.triangle = NONE;
     s.target = vec3(0.0);
-    s.pdf = environment_pdf(light.probability, cosine);
+    s.pdf = environment_pdf(probability, sqrt(1.0 - u.x));
     s.irradiance = s.pdf > 0.0 ? light.intensity / s.pdf : vec3(0.0);
     return s;
 }
@@ -117,13 +117,14 @@ LightSample sample_light(uint index, Surface surface, vec2 u) {
     const bool ONLY_TRIANGLES = !HAS_PUNCTUAL_LIGHTS && !HAS_ENVIRONMENT;
     const bool ONLY_ENVIRONMENT = !HAS_PUNCTUAL_LIGHTS && !HAS_TRIANGLE_LIGHTS;
     LightInfo light = lights[index];
+    float probability = choice_probability(index, receiver_of(surface));
     if (HAS_TRIANGLE_LIGHTS && (ONLY_TRIANGLES || light.type == LIGHT_TRIANGLE)) {
-        return sample_triangle_light(light, surface, u);
+        return sample_triangle_light(light, probability, surface, u);
     }
     if (HAS_ENVIRONMENT && (ONLY_ENVIRONMENT || light.type == LIGHT_ENVIRONMENT)) {
-        return sample_environment(light, surface, u);
+        return sample_environment(light, probability, surface, u);
     }
-    return sample_punctual_light(light, surface);
+    return sample_punctual_light(light, probability, surface);
 }
 
 #endif

@@ -26,7 +26,7 @@ vec3 emitted_radiance(MaterialInfo material, vec2 texcoord, bool front) {
     return emission;
 }
 
-void evaluate_material(inout Surface surface, MaterialInfo material, bool front) {
+void evaluate_material(inout Surface surface, MaterialInfo material) {
     surface.base_colour = material.base_colour;
     surface.metallic = material.metallic;
     float roughness = material.roughness;
@@ -39,9 +39,10 @@ void evaluate_material(inout Surface surface, MaterialInfo material, bool front)
         surface.metallic *= value.b;
     }
     surface.alpha = roughness < SPECULAR_ROUGHNESS ? 0.0 : roughness * roughness;
+    surface.eta = surface.front ? material.ior : 1.0 / material.ior;
     surface.f0 = material.dielectric_f0;
     surface.f90 = material.dielectric_f90;
-    surface.emission = emitted_radiance(material, surface.texcoord, front);
+    surface.emission = emitted_radiance(material, surface.texcoord, surface.front);
 }
 
 /// Normals and material of a surface whose place is known.
@@ -53,9 +54,10 @@ void shade_surface(inout Surface surface, vec3 ng, vec3 ns, MaterialInfo materia
     ns = normalize_any_scale(ns);
     // Vertex normals that cancel or point through the surface are no use: the geometric normal stands in.
     if (!(dot(ns, ng) > 0.0)) ns = ng;
+    surface.front = front;
     surface.ng = front ? ng : -ng;
     surface.ns = front ? ns : -ns;
-    evaluate_material(surface, material, front);
+    evaluate_material(surface, material);
     // A rough lobe is defined for viewers above the shading normal's horizon; a mirror copes (mirror_direction()).
     if (surface.alpha > 0.0 && dot(surface.ns, direction) >= 0.0) surface.ns = surface.ng;
 }

@@ -47,7 +47,7 @@ vec3 unshadowed_irradiance(LightInfo light, Surface surface) {
         return radiance == vec3(0.0) ? radiance : radiance * triangle_irradiance(vertices, surface.position, surface.ng);
     }
     if (HAS_ENVIRONMENT && light.type == LIGHT_ENVIRONMENT) return PI * light.intensity;
-    LightSample s = sample_punctual_light(light, surface);
+    LightSample s = sample_punctual_light(light, light.probability, surface);
     return s.irradiance * (light.probability * max(dot(surface.ng, s.direction), 0.0));
 }
 

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/film/film_bindings.glsl"
 #include "kernels/scene/surface.glsl"
-#include "lib/bsdf.glsl"
+#include "lib/reflectance.glsl"
 
 layout(scalar, set = METHOD_SET, binding = BINDING_AOV) writeonly restrict buffer Aov { AovPixel aov[]; };
 

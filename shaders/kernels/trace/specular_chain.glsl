@@ -5,6 +5,7 @@
 #define UTSURI_KERNELS_TRACE_SPECULAR_CHAIN
 #include "interop/frame.h"
 #include "kernels/scene/direct_light.glsl"
+#include "lib/lobes/lobes.glsl"
 
 /// What light a surface sends out, its own emission and its reflections excepted. The kernel defines it.
 vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
@@ -17,10 +18,11 @@ vec3 follow_chain(Ray ray, uint first_depth, uint most_depth, uint key, uint ind
     vec3 throughput = vec3(1.0);
     bool by_lobe = false;
     LobeSample lobe;
+    Receiver left;
     for (uint depth = first_depth;; ++depth) {
         totals.rays += 1u;
         Hit hit = closest_hit(ray);
-        float weight = HAS_GLOSSY && by_lobe ? lobe_weight(lobe, hit) : 1.0;
+        float weight = HAS_GLOSSY && by_lobe ? lobe_weight(lobe, left, hit) : 1.0;
         if (hit.triangle == NONE) {
             if (HAS_ENVIRONMENT) radiance += weight * throughput * lights[ENVIRONMENT_LIGHT].intensity;
             break;
@@ -31,20 +33,13 @@ vec3 follow_chain(Ray ray, uint first_depth, uint most_depth, uint key, uint ind
         if (HAS_GLOSSY && depth > most_depth) break;
         vec3 wo = -ray.direction;
         uint dimension = FIRST_SURFACE_DIMENSION + depth * DIMENSIONS_PER_SURFACE;
-        radiance += throughput * surface_light(surface, hit, wo, key, index, dimension, ray.excluded_instance,
-                                               totals.rays);
-        by_lobe = HAS_GLOSSY && is_glossy(surface);
-        if (!by_lobe && (!HAS_SPECULAR || !is_specular(surface))) break;
-        vec3 wi;
-        if (by_lobe) {
-            lobe = sample_lobe(surface, wo, key, index, dimension);
-            throughput *= lobe.throughput;
-            if (throughput == vec3(0.0)) break;
-            wi = lobe.direction;
-        } else {
-            throughput *= specular_reflectance(surface, abs(dot(surface.ns, wo)));
-            wi = mirror_direction(surface, wo);
-        }
+        radiance += throughput * surface_light(surface, hit, wo, key, index, dimension, ray.excluded_instance, totals.rays);
+        by_lobe = has_lobe(surface, LOBE_GLOSSY);
+        if (!by_lobe && !has_lobe(surface, LOBE_MIRROR)) break;
+        lobe = by_lobe ? sample_glossy(surface, wo, sample_2d(key, index, dimension + 2u)) : sample_mirror(surface, wo);
+        throughput *= lobe.throughput;
+        if (by_lobe && throughput == vec3(0.0)) break;
+        left = receiver_of(surface);
         totals.lookups += 1u;
         if (depth == most_depth) {
             totals.truncated += 1u;
@@ -52,7 +47,7 @@ vec3 follow_chain(Ray ray, uint first_depth, uint most_depth, uint key, uint ind
         } else {
             totals.traced += 1u;
         }
-        ray = make_ray(leave_surface(surface, wi), wi, surface.triangle, ray.excluded_instance);
+        ray = make_ray(leave_surface(surface, lobe.direction), lobe.direction, surface.triangle, ray.excluded_instance);
     }
     return radiance;
 }

@@ -26,7 +26,7 @@ Specialization specialise(const SceneData& data) {
             {interop::SPEC_HAS_TEXTURES, needs.textures > 0 ? 1 : 0},
             {interop::SPEC_HAS_TRIANGLE_LIGHTS, needs.emissive_triangles > 0 ? 1 : 0},
             {interop::SPEC_HAS_PUNCTUAL_LIGHTS, needs.punctual_lights > 0 ? 1 : 0},
-            {interop::SPEC_HAS_ENVIRONMENT, needs.environment ? 1 : 0},
+            {interop::SPEC_ENVIRONMENT_LIGHT, data.environment_light().value_or(interop::NONE)},
             {interop::SPEC_HAS_GLOSSY, needs.glossy ? 1 : 0},
             {interop::SPEC_HAS_SPECULAR, needs.specular ? 1 : 0},
             {interop::SPEC_LIGHT_COUNT, static_cast<std::uint32_t>(data.lights.size())}};

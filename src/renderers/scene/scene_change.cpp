@@ -96,12 +96,9 @@ SceneChange find_changes(const SceneData& before, const SceneData& after) {
         change.lights |= after.triangle_infos[t].light != interop::NONE;
     }
     change.lights |= !same(before.lights, after.lights) || !same(before.light_table, after.light_table);
-    const auto is_surroundings = [](const interop::LightInfo& light) {
-        return light.type == interop::LIGHT_ENVIRONMENT;
-    };
-    const auto then = std::find_if(before.lights.begin(), before.lights.end(), is_surroundings);
-    const auto now = std::find_if(after.lights.begin(), after.lights.end(), is_surroundings);
-    change.surroundings = now != after.lights.end() && now->intensity != then->intensity;
+    const std::optional<std::uint32_t> then = before.environment_light();
+    const std::optional<std::uint32_t> now = after.environment_light();
+    change.surroundings = now && before.lights[*then].intensity != after.lights[*now].intensity;
     return change;
 }
 

@@ -65,6 +65,7 @@ void add_materials(const Scene& scene, SceneData& data) {
         info.roughness = material.roughness;
         info.dielectric_f0 = ratio * ratio * material.specular;
         info.dielectric_f90 = material.specular;
+        info.ior = material.ior;
         info.double_sided = material.double_sided ? 1 : 0;
         info.base_colour_texture = textures.slot(material.base_colour_texture);
         info.metallic_roughness_texture = textures.slot(material.metallic_roughness_texture);
@@ -226,6 +227,13 @@ SceneData prepare_changed_scene(const SceneData& before, const Scene& scene) {
     data.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     describe(scene, std::move(world), data);
     return data;
+}
+
+std::optional<std::uint32_t> SceneData::environment_light() const {
+    for (std::uint32_t i = 0; i < lights.size(); ++i) {
+        if (lights[i].type == interop::LIGHT_ENVIRONMENT) return i;
+    }
+    return std::nullopt;
 }
 
 std::uint64_t SceneData::device_bytes() const {

@@ -9,6 +9,7 @@
 #include "interop/scene.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace utsuri {
@@ -23,7 +24,7 @@ struct SceneData {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> texcoords;  ///< only with textures
     std::vector<interop::MaterialInfo> materials;
-    std::vector<interop::LightInfo> lights;  ///< the environment, if any, first
+    std::vector<interop::LightInfo> lights;  ///< punctual ones before those with extent
     std::vector<interop::LightTableEntry> light_table;
     std::vector<interop::TextureHeader> texture_headers;  ///< only textures in use
     std::vector<std::uint32_t> texels;                    ///< RGBA8, red in the lowest byte
@@ -31,6 +32,8 @@ struct SceneData {
     /// Changes of what light falls on surfaces since the scene was prepared: update_scene_data().
     std::uint32_t light_revision = 0;
 
+    /// Index of the uniform surroundings among the lights; none if they are black.
+    [[nodiscard]] std::optional<std::uint32_t> environment_light() const;
     /// What the scene takes on the device, in bytes.
     [[nodiscard]] std::uint64_t device_bytes() const;
 };

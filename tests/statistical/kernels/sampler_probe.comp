@@ -2,9 +2,8 @@
 // Calls a sampling function for given numbers in [0, 1)^2 and tells what it returns.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/scene/scene_bindings.glsl"
-#include "lib/bsdf.glsl"
-#include "lib/lights.glsl"
+#include "kernels/scene/lights.glsl"
+#include "lib/lobes/lobes.glsl"
 #include "probe_interop.h"
 
 layout(local_size_x = 64) in;
@@ -39,7 +38,7 @@ void main() {
     ProbeOutput result = ProbeOutput(vec3(0.0), 0.0, vec3(0.0), 0u);
     Surface surface = probed_surface();
     if (SAMPLER == PROBE_GLOSSY) {
-        result.direction = sample_glossy(surface, push.wo, u);
+        result.direction = glossy_direction(surface, push.wo, u);
         result.pdf = glossy_pdf(surface, push.wo, result.direction);
     } else if (SAMPLER == PROBE_LIGHT) {
         LightSample light_sample = sample_light(0u, surface, u);
@@ -47,7 +46,7 @@ void main() {
         result.pdf = light_sample.pdf;
         result.target = light_sample.target;
     } else {
-        result.light = choose_light(u.x);
+        result.light = choose_light(receiver_of(surface), u.x);
     }
     outputs[index] = result;
 }

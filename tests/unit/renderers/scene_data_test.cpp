@@ -46,7 +46,7 @@ TEST(SceneData, ListsLightsByTheirPower) {
     for (const double power : powers)
         sum += power;
     ASSERT_EQ(data.lights.size(), powers.size());
-    EXPECT_EQ(data.lights.front().type, interop::LIGHT_ENVIRONMENT) << "kernels expect it first";
+    EXPECT_EQ(data.environment_light(), 0u);
     for (std::size_t i = 0; i < powers.size(); ++i) {
         EXPECT_NEAR(static_cast<double>(data.lights[i].probability), powers[i] / sum, kFloat32) << i;
     }

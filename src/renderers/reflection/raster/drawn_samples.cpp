@@ -34,8 +34,9 @@ Device& drawing_device(Device& device) {
 }
 
 std::array<float, 4> background_of(const SceneData& data) {
-    if (!data.requirements.environment) return {0.0f, 0.0f, 0.0f, interop::DRAWN_PLAIN};
-    const glm::vec3& radiance = data.lights.front().intensity;
+    const std::optional<std::uint32_t> environment = data.environment_light();
+    if (!environment) return {0.0f, 0.0f, 0.0f, interop::DRAWN_PLAIN};
+    const glm::vec3& radiance = data.lights[*environment].intensity;
     return {radiance.x, radiance.y, radiance.z, interop::DRAWN_PLAIN};
 }
 
