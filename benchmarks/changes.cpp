@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What it costs to follow a scene that changes: every method's time after a colour, a light, an object or a
+// What it costs to take over a change of a scene: every method's time after a colour, a light, an object or a
 // mirror changed, beside preparing it anew. Usage: bench_changes [--json FILE] [--device NAME] [--width W
 // --height H]
 // [--map-size N] [--rounds N] SCENE ...
 #include "import/gltf.h"
-#include "renderers/methods/method.h"
 
 #include "median.h"
 #include "scene_program.h"
@@ -90,73 +89,55 @@ std::vector<Change> changes_of(const Scene& scene) {
     return changes;
 }
 
-/// A scene that changes to and fro, and a renderer that follows it.
-struct Followed {
-    SceneData& data;
-    GpuScene& gpu_scene;
-    Renderer& renderer;
-
-    struct Cost {
-        double update_seconds;   ///< on the host, and to upload
-        double follow_seconds;   ///< pipelines included
-        double prepare_seconds;  ///< of that, pipelines excluded
-    };
-    Cost follow(const Scene& scene) const {
-        Progress progress;
-        auto start = std::chrono::steady_clock::now();
-        const SceneChange change = update_scene_data(data, scene);
-        gpu_scene.update(data);
-        const double update_seconds = seconds_since(start);
-        start = std::chrono::steady_clock::now();
-        renderer.follow(change, progress);
-        return {update_seconds, seconds_since(start), renderer.statistics().prepare_seconds};
-    }
+/// What it cost a session to take over a scene.
+struct Cost {
+    double update_seconds;   ///< all of it: scene, light and picture, pipelines included
+    double prepare_seconds;  ///< of that, what the picture prepared, pipelines excluded
 };
 
-Json measure_changes(const Followed& followed, const Scene& scene, const std::vector<Change>& changes,
-                     int rounds) {
+Cost take_over(Session& session, const Picture& picture, const Scene& scene) {
+    const auto start = std::chrono::steady_clock::now();
+    session.set_scene(scene);
+    return {seconds_since(start), picture.statistics().prepare_seconds};
+}
+
+Json measure_changes(Session& session, const Picture& picture, const Scene& scene,
+                     const std::vector<Change>& changes, int rounds) {
     Json rows = Json::array();
     for (const Change& change : changes) {
         std::vector<double> update;
-        std::vector<double> follow;
         std::vector<double> prepare;
         for (int round = 0; round < rounds; ++round) {
-            const Followed::Cost cost = followed.follow(round % 2 == 0 ? change.scene : scene);
+            const Cost cost = take_over(session, picture, round % 2 == 0 ? change.scene : scene);
             update.push_back(1e3 * cost.update_seconds);
-            follow.push_back(1e3 * cost.follow_seconds);
             prepare.push_back(1e3 * cost.prepare_seconds);
         }
-        if (rounds % 2 == 1) followed.follow(scene);
-        rows.push_back({{"change", change.name},
-                        {"update_ms", median(update)},
-                        {"follow_ms", median(follow)},
-                        {"prepare_ms", median(prepare)}});
+        if (rounds % 2 == 1) session.set_scene(scene);
+        rows.push_back(
+            {{"change", change.name}, {"update_ms", median(update)}, {"prepare_ms", median(prepare)}});
     }
     return rows;
 }
 
-Json measure_scene(Device& device, const std::string& path, const SceneProgram& program) {
+Json measure_scene(Session& session, const std::string& path, const SceneProgram& program) {
     MapSettings maps;
     maps.size = program.map_size;
     const Scene scene = import_gltf(path).scene;
     const std::vector<Change> changes = changes_of(scene);
-    SceneData data = prepare_scene_data(scene);
-    GpuScene gpu_scene(device, data);
+    session.set_scene(scene);
     Json result = {{"scene", std::filesystem::path(path).filename().string()}, {"methods", Json::array()}};
-    fmt::print("{}, {}x{}: milliseconds to follow a change\n", result["scene"].get<std::string>(),
+    fmt::print("{}, {}x{}: milliseconds to take over a change\n", result["scene"].get<std::string>(),
                program.settings.width, program.settings.height);
-    for (const Method& method : all_methods(LightMethod::direct)) {
-        if (method.reflection == ReflectionMethod::trace) continue;
-        FilledLight light;
-        const auto renderer = make_renderer(method, {device, data, gpu_scene, scene.cameras.front(), light},
-                                            program.settings, maps);
+    for (const Method& method : all_methods(light_methods().front())) {
+        if (!method.reflection->traits.looks_up_maps) continue;
+        Picture picture = session.make_picture({method, scene.cameras.front(), program.settings, maps});
         Progress progress;
-        renderer->prepare(progress);
-        const double anew = 1e3 * renderer->statistics().prepare_seconds;
-        const Json rows = measure_changes({data, gpu_scene, *renderer}, scene, changes, program.rounds);
+        picture.prepare(progress);
+        const double anew = 1e3 * picture.statistics().prepare_seconds;
+        const Json rows = measure_changes(session, picture, scene, changes, program.rounds);
         fmt::print("  {:<20} anew {:9.1f}", method_name(method), anew);
         for (const Json& row : rows)
-            fmt::print("   {} {:9.1f}", row["change"].get<std::string>(), row["follow_ms"].get<double>());
+            fmt::print("   {} {:9.1f}", row["change"].get<std::string>(), row["update_ms"].get<double>());
         fmt::print("\n");
         result["methods"].push_back({{"method", method_name(method)}, {"anew_ms", anew}, {"changes", rows}});
     }
@@ -167,6 +148,6 @@ Json measure_scene(Device& device, const std::string& path, const SceneProgram& 
 }  // namespace utsuri
 
 int main(int argc, char** argv) {
-    return utsuri::run_scene_program(argc, argv, "What it costs to follow a scene that changes",
+    return utsuri::run_scene_program(argc, argv, "What it costs to take over a change of a scene",
                                      utsuri::measure_scene);
 }

@@ -3,7 +3,6 @@
 // traced frame. Usage: bench_frames [--json FILE] [--device NAME] [--width W --height H] [--map-size N]
 // [--rounds N] SCENE ...
 #include "import/gltf.h"
-#include "renderers/methods/method.h"
 
 #include "median.h"
 #include "scene_program.h"
@@ -21,57 +20,52 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Each round is one frame of one sample per pixel, from another place.
-Json measure_method(const Method& method, const RenderInput& input, const RenderSettings& settings,
-                    const MapSettings& maps, int rounds) {
+Json measure_method(Session& session, const PictureSettings& settings, int rounds) {
     Progress progress;
-    const auto renderer = make_renderer(method, input, settings, maps);
-    renderer->prepare(progress);
-    Film film(input.device, settings.width, settings.height, "benchmark film");
-    renderer->add_samples(film, 1, progress);
+    Picture picture = session.make_picture(settings);
+    picture.prepare(progress);
+    picture.add_samples(1, progress);
     std::vector<double> seconds;
     std::vector<double> gpu_seconds;
     std::vector<double> shown_seconds;
     for (int round = 0; round < rounds; ++round) {
-        film.clear();
-        Camera camera = input.camera;
+        Camera camera = settings.camera;
         camera.position += 1e-3 * (round + 1) * camera.right;
-        renderer->look_from(camera);
-        const RenderStatistics before = renderer->statistics();
-        renderer->add_samples(film, 1, progress);
-        seconds.push_back(renderer->statistics().frame_seconds - before.frame_seconds);
-        gpu_seconds.push_back(renderer->statistics().counts.gpu_seconds - before.counts.gpu_seconds);
+        picture.set_camera(camera);
+        const RenderStatistics before = picture.statistics();
+        picture.add_samples(1, progress);
+        seconds.push_back(picture.statistics().frame_seconds - before.frame_seconds);
+        gpu_seconds.push_back(picture.statistics().counts.gpu_seconds - before.counts.gpu_seconds);
         // The same without a film, from yet another place.
         camera.position += 5e-4 * camera.right;
-        renderer->look_from(camera);
+        picture.set_camera(camera);
         const auto start = std::chrono::steady_clock::now();
-        if (renderer->draw_frame()) {
+        if (picture.draw_frame()) {
             shown_seconds.push_back(
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
         }
     }
     const Json shown = shown_seconds.empty() ? Json(nullptr) : Json(1e3 * median(shown_seconds));
-    return {{"method", method_name(method)},
-            {"prepare_seconds", renderer->statistics().prepare_seconds},
-            {"compile_seconds", renderer->statistics().compile_seconds},
+    return {{"method", method_name(settings.method)},
+            {"prepare_seconds", picture.statistics().prepare_seconds},
+            {"compile_seconds", picture.statistics().compile_seconds},
             {"frame_ms", 1e3 * median(seconds)},
             {"gpu_ms", 1e3 * median(gpu_seconds)},
             {"shown_ms", shown}};
 }
 
-Json measure_scene(Device& device, const std::string& path, const SceneProgram& program) {
+Json measure_scene(Session& session, const std::string& path, const SceneProgram& program) {
     const RenderSettings& settings = program.settings;
     MapSettings maps;
     maps.size = program.map_size;
     const Scene scene = import_gltf(path).scene;
-    const SceneData data = prepare_scene_data(scene);
-    const GpuScene gpu_scene(device, data);
-    FilledLight light;
-    const RenderInput input{device, data, gpu_scene, scene.cameras.front(), light};
+    session.set_scene(scene);
     Json result = {{"scene", std::filesystem::path(path).filename().string()}, {"methods", Json::array()}};
     fmt::print("{}, {}x{}, a sample per pixel\n", result["scene"].get<std::string>(), settings.width,
                settings.height);
-    for (const Method& method : all_methods(LightMethod::direct)) {
-        const Json row = measure_method(method, input, settings, maps, program.rounds);
+    for (const Method& method : all_methods(light_methods().front())) {
+        const Json row =
+            measure_method(session, {method, scene.cameras.front(), settings, maps}, program.rounds);
         fmt::print(
             "  {:<20} prepare {:7.3f} s   compile {:6.3f} s   frame {:8.2f} ms   on the device {:8.2f} ms   "
             "{}\n",

@@ -4,6 +4,7 @@
 // instances that need them, beside maps for all. Usage: bench_requirements [--json FILE] [--device NAME]
 // [--width W --height H] [--map-size N] [--rounds N] SCENE ...
 #include "import/gltf.h"
+#include "renderers/methods/method.h"
 #include "renderers/methods/ray_tracer.h"
 #include "renderers/reflection/glossy/rough_map_plan.h"
 
@@ -47,7 +48,8 @@ class Contestant {
   public:
     Contestant(Device& device, const SceneData& data, const Camera& camera, const RenderSettings& settings)
         : scene_(device, data),
-          tracer_(device, data, scene_, camera, settings),
+          light_(device, data, scene_, light_methods().front(), {}),
+          tracer_({device, data, scene_, light_methods().front(), light_, camera}, settings),
           film_(device, settings.width, settings.height, "benchmark film") {
         tracer_.prepare(progress_);
         tracer_.add_samples(film_, 1, progress_);
@@ -63,6 +65,7 @@ class Contestant {
   private:
     Progress progress_;
     GpuScene scene_;
+    KeptLight light_;
     RayTracer tracer_;
     Film film_;
 };
@@ -75,7 +78,10 @@ std::uint64_t map_bytes(const SceneData& data, std::uint32_t size) {
            rough_map_bytes(data, size);
 }
 
-Json measure_scene(Device& device, const std::string& path, const SceneProgram& program) {
+Json measure_scene(Session&, const std::string& path, const SceneProgram& program) {
+    // Below a session, which would ask for what the scene requires.
+    const VulkanInstance instance;
+    Device device(instance, program.wanted_device);
     const Scene scene = import_gltf(path).scene;
     const SceneData data = prepare_scene_data(scene);
     const SceneData everything = with_everything_on(data);

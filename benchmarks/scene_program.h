@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/methods/renderer.h"
-
-#include "gpu/device.h"
-#include "gpu/vulkan_instance.h"
+#include "session/session.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -33,7 +30,8 @@ struct SceneProgram {
 };
 
 /// Measures one scene file, prints what it finds, and returns it.
-using MeasureScene = std::function<nlohmann::ordered_json(Device& device, const std::string& path,
+/// @param session without a scene
+using MeasureScene = std::function<nlohmann::ordered_json(Session& session, const std::string& path,
                                                           const SceneProgram& program)>;
 
 inline int measure_scenes(int argc, char** argv, const std::string& description,
@@ -51,15 +49,16 @@ inline int measure_scenes(int argc, char** argv, const std::string& description,
         ->capture_default_str();
     CLI11_PARSE(app, argc, argv);
 
-    const VulkanInstance instance;
-    Device device(instance, program.wanted_device);
+    const DeviceSummary device = Session({program.wanted_device, Validation::off, {}}).device();
     nlohmann::ordered_json report = {
-        {"device", device.summary().name}, {"driver", device.summary().driver},
+        {"device", device.name},           {"driver", device.driver},
         {"width", program.settings.width}, {"height", program.settings.height},
         {"map_size", program.map_size},    {"scenes", nlohmann::ordered_json::array()}};
-    fmt::print("{}, {}\n", device.summary().name, device.summary().driver);
-    for (const std::string& path : program.scenes)
-        report["scenes"].push_back(measure(device, path, program));
+    fmt::print("{}, {}\n", device.name, device.driver);
+    for (const std::string& path : program.scenes) {
+        Session session({program.wanted_device, Validation::off, {}});
+        report["scenes"].push_back(measure(session, path, program));
+    }
     if (!program.json_path.empty()) std::ofstream(program.json_path) << report.dump(2) << '\n';
     return 0;
 }

@@ -113,22 +113,22 @@ bool wants_traced_pixels(const AovSelection& selection) {
     return holds(selection, kTraced);
 }
 
-void add_reflection_data(AovPlanes& planes, Renderer& renderer, const AovSelection& selection) {
+void add_reflection_data(AovPlanes& planes, Picture& picture, const AovSelection& selection) {
     if (holds(selection, kPredicted)) {
         AovPlanes::Plane plane{
             {"predicted.parallax", "predicted.interpolation", "predicted.texel", "predicted.pixels"}, {}};
-        for (const PredictedError& e : renderer.predict_errors())
+        for (const PredictedError& e : picture.predict_errors())
             plane.values.insert(plane.values.end(), {e.parallax, e.interpolation, e.texel, e.pixels});
         planes.planes.push_back(std::move(plane));
     }
     if (holds(selection, kMeasured)) {
         AovPlanes::Plane plane{{"measured.angle", "measured.pixels", "measured.distance", "measured.seen"},
                                {}};
-        for (const MeasuredError& e : renderer.measure_errors())
+        for (const MeasuredError& e : picture.measure_errors())
             plane.values.insert(plane.values.end(), {e.angle, e.pixels, e.distance, e.seen});
         planes.planes.push_back(std::move(plane));
     }
-    if (holds(selection, kTraced)) planes.planes.push_back({{"traced.I"}, renderer.traced_pixels()});
+    if (holds(selection, kTraced)) planes.planes.push_back({{"traced.I"}, picture.traced_pixels()});
 }
 
 AovPlanes extract_aovs(const std::vector<AovPixel>& pixels, const AovSelection& selection,

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/film/aov.h"
-#include "renderers/methods/renderer.h"
-#include "renderers/scene/scene_data.h"
-
 #include "image_io/image_io.h"
+
+#include "session/session.h"
 
 #include <string>
 #include <vector>
@@ -36,11 +34,11 @@ struct AovPlanes {
 /// Whether errors of reflections are among what a user asked for: MapSettings::predicts_errors.
 bool wants_reflection_errors(const AovSelection& selection);
 
-/// Whether how reflections were found is among it: Renderer::traced_pixels().
+/// Whether how reflections were found is among it: Picture::traced_pixels().
 bool wants_traced_pixels(const AovSelection& selection);
 
 /// Adds both; values are -1 where no mirror is seen.
-void add_reflection_data(AovPlanes& planes, Renderer& renderer, const AovSelection& selection);
+void add_reflection_data(AovPlanes& planes, Picture& picture, const AovSelection& selection);
 
 /// Positions are in world space, triangle numbers those of the scene; pixels that hit nothing have depth
 /// infinity and numbers -1.

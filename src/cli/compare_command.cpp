@@ -2,7 +2,7 @@
 #include "cli/command.h"
 #include "cli/output.h"
 #include "cli/progress_line.h"
-#include "cli/session.h"
+#include "cli/scene_session.h"
 #include "compare/comparison_json.h"
 #include "compare/comparison_table.h"
 #include "compare/run_comparison.h"
@@ -33,11 +33,11 @@ struct CompareOptions {
 };
 
 std::vector<Method> wanted_methods(const CompareOptions& options) {
-    const LightMethod light = parse_light(options.light);
+    const LightMethod& light = find_light(options.light);
     if (options.methods.empty()) return all_methods(light);
     std::vector<Method> methods;
     for (const std::string& name : split_list(options.methods))
-        methods.push_back({light, parse_reflection(name)});
+        methods.push_back({&light, &find_reflection(name)});
     return methods;
 }
 
@@ -58,7 +58,7 @@ ExitCode compare(const CompareOptions& options, const std::string& command_line)
     ComparisonSettings settings;
     settings.render = options.picture.render_settings();
     settings.maps = options.picture.map_settings();
-    settings.light = parse_light(options.light);
+    settings.light = &find_light(options.light);
     settings.methods = wanted_methods(options);
     settings.samples = options.samples;
     settings.reference_samples = options.reference_samples + options.reference_samples % 2;
@@ -70,16 +70,12 @@ ExitCode compare(const CompareOptions& options, const std::string& command_line)
 
     const LoadedScene loaded = load_scene(scene_path);
     const Camera& camera = choose_camera(loaded.scene, options.picture.camera);
-    DeviceSession session(options.common);
+    Session session = make_session(options.common, options.picture.light_settings());
     make_output_folder(folder);
     ProgressLine progress(options.common.quiet);
     progress.begin("building the BVH");
-    const SceneData data = prepare_scene_data(loaded.scene);
-    const GpuScene scene(session.device(), data);
-    FilledLight light;
-    light.settings = options.picture.light_settings();
-    Comparison comparison =
-        run_comparison({session.device(), data, scene, camera, light}, settings, progress);
+    session.set_scene(loaded.scene);
+    Comparison comparison = run_comparison(session, camera, settings, progress);
     comparison.scene = options.scene;
     comparison.command = command_line;
     comparison.import_seconds = loaded.import_seconds;
@@ -92,7 +88,7 @@ ExitCode compare(const CompareOptions& options, const std::string& command_line)
     print_text(options.common, comparison_table(comparison));
     print_text(options.common, fmt::format("\n{}\n", (folder / "report.html").string()));
     write_json(options.common, comparison_to_json(comparison));
-    session.check_validation();
+    check_validation(session);
     for (const MethodFailure& failure : comparison.failures)
         fmt::print(stderr, "{}: {}\n", method_name(failure.method), failure.message);
     if (comparison.interrupted) return ExitCode::interrupted;
@@ -111,7 +107,7 @@ void add_compare_command(CLI::App& app, const std::string& command_line, Action&
         ->add_option("-o,--output", options->folder,
                      "Folder for pictures, compare.json and report.html [compare-SCENE]")
         ->type_name("DIR");
-    command->add_option("--light", options->light, "Light at diffuse surfaces: direct")
+    command->add_option("--light", options->light, "Light at diffuse surfaces: " + list_lights())
         ->capture_default_str();
     command->add_option("--methods", options->methods,
                         "Reflections to compare, separated by commas [all of them]");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/command.h"
 #include "cli/output.h"
-#include "cli/session.h"
+#include "cli/scene_session.h"
 #include "compare/comparison_json.h"
 #include "compare/comparison_table.h"
 
@@ -37,9 +37,9 @@ nlohmann::ordered_json to_json(const DeviceSummary& device) {
 }
 
 ExitCode devices(const CommonOptions& options) {
-    const std::unique_ptr<VulkanInstance> instance = make_instance();
-    const std::vector<DeviceSummary> found = list_devices(*instance);
-    const std::size_t chosen = choose_device(*instance, options.device).index;
+    const VulkanInstance instance(wanted_validation());
+    const std::vector<DeviceSummary> found = list_devices(instance);
+    const std::size_t chosen = choose_device(instance, options.device).index;
     std::string text;
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const DeviceSummary& device : found) {

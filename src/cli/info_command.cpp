@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/command.h"
 #include "cli/output.h"
-#include "cli/session.h"
+#include "cli/scene_session.h"
 #include "compare/comparison_table.h"
 #include "renderers/film/film.h"
-#include "renderers/light/light_cache.h"
+#include "renderers/light/direct/lattice_plan.h"
 #include "renderers/reflection/distances/distance_maps.h"
 #include "renderers/reflection/glossy/rough_map_plan.h"
 
@@ -39,7 +39,7 @@ Prediction predict(const SceneData& data, const RenderSettings& settings, const 
     prediction.scene = data.device_bytes();
     prediction.film = Film::bytes(settings.width, settings.height);
     const auto lattices =
-        plan_light_cache(data, LightCacheSettings().spacing, std::numeric_limits<std::uint64_t>::max());
+        plan_light_cache(data, LightSettings().spacing, std::numeric_limits<std::uint64_t>::max());
     prediction.light = light_cache_points(lattices) * sizeof(interop::LightCachePoint) +
                        lattices.size() * sizeof(interop::LightCacheTriangle);
     // Colour, depth, and the colour again where the film reads it.

@@ -116,7 +116,7 @@ Tolerance parse_tolerance(const std::string& text) {
 
 RenderSettings PictureOptions::render_settings() const {
     const glm::uvec2 pixels = parse_size(size);
-    return {pixels.x, pixels.y, seed, depth};
+    return {pixels.x, pixels.y, seed, depth, kept_light};
 }
 
 MapSettings PictureOptions::map_settings() const {
@@ -136,9 +136,10 @@ MapSettings PictureOptions::map_settings() const {
     return settings;
 }
 
-LightCacheSettings PictureOptions::light_settings() const {
-    LightCacheSettings settings;
+LightSettings PictureOptions::light_settings() const {
+    LightSettings settings;
     settings.samples = light_samples;
+    settings.seed = seed;
     return settings;
 }
 
@@ -177,9 +178,14 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     command
         .add_option(
             "--light-spp", options.light_samples,
-            "Shadow rays at most at each point where light is kept on surfaces, for methods that draw")
+            "Shadow rays at most at each point where light is kept on surfaces, for methods that draw and "
+            "--kept-light")
         ->check(CLI::Range(1u, kMostLightSamples))
         ->capture_default_str();
+    command.add_flag(
+        "--kept-light", options.kept_light,
+        "Light traced pictures, too, from the light kept on surfaces: what methods differ by is then "
+        "due to their reflections alone");
     command
         .add_option("--capture-point", options.capture_point,
                     "Where maps are captured, in metres [centre of each reflective object]")

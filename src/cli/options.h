@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/light/light_cache.h"
+#include "renderers/light/direct/light_cache.h"
 #include "renderers/methods/renderer.h"
 #include "renderers/reflection/maps/reflection_maps.h"
 
@@ -33,7 +33,8 @@ struct PictureOptions {
     std::uint32_t depth = 8;
     std::string map_size = "256";
     std::uint32_t map_samples = 8;
-    std::uint32_t light_samples = LightCacheSettings().samples;
+    std::uint32_t light_samples = LightSettings().samples;
+    bool kept_light = false;
     std::string capture_point;
     std::uint32_t most_probes = 1;
     std::string polyhedron = "cube";
@@ -45,7 +46,7 @@ struct PictureOptions {
 
     [[nodiscard]] RenderSettings render_settings() const;
     [[nodiscard]] MapSettings map_settings() const;
-    [[nodiscard]] LightCacheSettings light_settings() const;
+    [[nodiscard]] LightSettings light_settings() const;
 };
 
 void add_common_options(CLI::App& command, CommonOptions& options);

@@ -3,11 +3,10 @@
 #include "cli/command.h"
 #include "cli/output.h"
 #include "cli/progress_line.h"
-#include "cli/session.h"
+#include "cli/scene_session.h"
 #include "cli/trade_choice.h"
 #include "compare/comparison_json.h"
 #include "compare/comparison_table.h"
-#include "renderers/film/frame_camera.h"
 
 #include "base/file.h"
 #include "base/version.h"
@@ -58,44 +57,45 @@ struct Result {
 };
 
 /// Adds samples in growing steps until one of the goals is met.
-void render_until_done(Renderer& renderer, Film& film, const RenderOptions& options, ProgressLine& progress,
-                       Result& result, Clock::time_point start) {
+void render_until_done(Picture& picture, const RenderOptions& options, ProgressLine& progress, Result& result,
+                       Clock::time_point start) {
     const bool open_ended = !options.time.empty() || options.noise;
     const std::uint32_t most = options.samples.value_or(open_ended ? kMostSamples : kDefaultSamples);
     const double seconds = options.time.empty() ? 0.0 : parse_duration(options.time);
     const auto sampling_start = Clock::now();
     progress.begin(fmt::format("{}/{}", options.light, options.reflection));
-    while (film.samples() < most && !progress.cancelled()) {
-        std::uint32_t step = std::min(most - film.samples(), most);
-        if (film.samples() == 0)
+    while (picture.samples() < most && !progress.cancelled()) {
+        std::uint32_t step = std::min(most - picture.samples(), most);
+        if (picture.samples() == 0)
             step = 1;
         else if (open_ended)
-            step = std::min(step, film.samples());
-        if (options.noise && (film.samples() + step) % 2 != 0) step = film.samples() + 1 < most ? 1 : step;
-        if (seconds > 0.0 && film.samples() > 0) {
+            step = std::min(step, picture.samples());
+        if (options.noise && (picture.samples() + step) % 2 != 0)
+            step = picture.samples() + 1 < most ? 1 : step;
+        if (seconds > 0.0 && picture.samples() > 0) {
             const double elapsed = std::chrono::duration<double>(Clock::now() - sampling_start).count();
-            const double fitting = (seconds - elapsed) * film.samples() / elapsed;
+            const double fitting = (seconds - elapsed) * picture.samples() / elapsed;
             if (fitting < 1.0) break;
             step = std::min(step, static_cast<std::uint32_t>(std::min(fitting, 1e6)));
         }
-        const bool first = film.samples() == 0;
-        renderer.add_samples(film, step, progress);
+        const bool first = picture.samples() == 0;
+        picture.add_samples(step, progress);
         if (first) result.first_frame_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        if (options.noise && film.samples() % 2 == 0 && film.estimate_noise().relative <= *options.noise)
-            break;
+        if (options.noise && picture.samples() % 2 == 0 && picture.noise().relative <= *options.noise) break;
     }
-    if (film.samples() == 0) throw Interrupted();
-    result.image = film.resolve();
-    result.samples = film.samples();
-    if (film.samples() % 2 == 0) result.noise = film.estimate_noise().relative;
+    if (picture.samples() == 0) throw Interrupted();
+    result.image = picture.image();
+    result.samples = picture.samples();
+    if (picture.samples() % 2 == 0) result.noise = picture.noise().relative;
 }
 
-nlohmann::ordered_json to_json(const Result& result, const RenderOptions& options, const Device& device) {
+nlohmann::ordered_json to_json(const Result& result, const RenderOptions& options,
+                               const DeviceSummary& device) {
     const FrameCounts& counts = result.statistics.counts;
     return {{"utsuri", kVersion},
             {"scene", options.scene},
             {"image", options.output},
-            {"device", device_to_json(device.summary())},
+            {"device", device_to_json(device)},
             {"light", options.light},
             {"reflection", options.reflection},
             {"width", result.image.width},
@@ -125,12 +125,10 @@ std::string describe_maps(const RenderStatistics& statistics) {
 
 /// The options that decide how a picture is made.
 void add_method_options(CLI::App& command, RenderOptions& options) {
-    command.add_option("--light", options.light, "Light at diffuse surfaces: direct")->capture_default_str();
+    command.add_option("--light", options.light, "Light at diffuse surfaces: " + list_lights())
+        ->capture_default_str();
     command
-        .add_option(
-            "--reflection", options.reflection,
-            "Reflections: trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, planar (plane "
-            "mirrors drawn, the rest as by proxy-map) or hybrid")
+        .add_option("--reflection", options.reflection, "How reflections are found: " + list_reflections())
         ->capture_default_str();
     command
         .add_option("--spp", options.samples, "Samples per pixel, or the most with --time or --noise [16]")
@@ -155,11 +153,11 @@ void apply_run(const TradeRun& run, RenderOptions& options) {
 /// Chooses method and settings by what they were measured to take and to be wrong by.
 /// @param given the picture options as the user gave them
 /// @returns the choice as JSON
-nlohmann::ordered_json choose(RenderOptions& options, const std::vector<std::string>& given,
-                              const RenderInput& input, ProgressLine& progress) {
-    const LightMethod light = parse_light(options.light);
+nlohmann::ordered_json choose(RenderOptions& options, const std::vector<std::string>& given, Session& session,
+                              const Camera& camera, ProgressLine& progress) {
+    const LightMethod& light = find_light(options.light);
     const ComparisonSettings settings = trade_settings(options.picture, all_methods(light), light);
-    const Trade trade = kept_or_measured(input, settings, given, options.common, progress);
+    const Trade trade = kept_or_measured(session, camera, settings, given, options.common, progress);
     const TradePoint point = choose_run(trade, options.choice);
     apply_run(trade.runs[point.run], options);
     progress.clear();
@@ -208,8 +206,7 @@ void check_output(const RenderOptions& options) {
 /// Finds mistakes before the work begins.
 void check_options(const RenderOptions& options) {
     static_cast<void>(options.picture.map_settings());
-    parse_light(options.light);
-    parse_reflection(options.reflection);
+    find_method(options.light, options.reflection);
     for (const std::string& time : {options.time, options.choice.within}) {
         if (!time.empty()) parse_duration(time);
     }
@@ -217,11 +214,11 @@ void check_options(const RenderOptions& options) {
 }
 
 void check_reflection_data(const AovSelection& aovs, const Method& method) {
-    if (wants_reflection_errors(aovs) && !tells_errors(method)) {
+    if (wants_reflection_errors(aovs) && !method.reflection->traits.predicts_errors) {
         throw UsageError("tell errors of reflections", method_name(method),
                          "only methods that look reflections up in maps have them; use another --reflection");
     }
-    if (wants_traced_pixels(aovs) && !chooses_per_pixel(method)) {
+    if (wants_traced_pixels(aovs) && !method.reflection->traits.has_tolerance) {
         throw UsageError("tell which reflections are traced", method_name(method),
                          "does the same at every mirror; only hybrid chooses: use --reflection hybrid");
     }
@@ -236,36 +233,30 @@ ExitCode render(RenderOptions options, const std::vector<std::string>& given) {
     const LoadedScene loaded = load_scene(options.scene);
     const Camera& camera = choose_camera(loaded.scene, options.picture.camera);
     print_notes(options.common, loaded.notes);
-    DeviceSession session(options.common);
+    Session session = make_session(options.common, options.picture.light_settings());
     ProgressLine progress(options.common.quiet);
     progress.begin("building the BVH");
-    const SceneData data = prepare_scene_data(loaded.scene);
-    const GpuScene scene(session.device(), data);
-    FilledLight light;
-    light.settings = options.picture.light_settings();
-    const RenderInput input{session.device(), data, scene, camera, light};
+    session.set_scene(loaded.scene);
     nlohmann::ordered_json choice;
-    if (options.choice.wanted()) choice = choose(options, given, input, progress);
-    session.device().reset_peak_memory();
-    const Method method{parse_light(options.light), parse_reflection(options.reflection)};
+    if (options.choice.wanted()) choice = choose(options, given, session, camera, progress);
+    session.reset_peak_memory();
+    const Method method = find_method(options.light, options.reflection);
     check_reflection_data(aovs, method);
     MapSettings maps = options.picture.map_settings();
     maps.predicts_errors = wants_reflection_errors(aovs);
-    const std::unique_ptr<Renderer> renderer = make_renderer(method, input, settings, maps);
+    Picture picture = session.make_picture({method, camera, settings, maps});
     progress.begin("preparing");
-    renderer->prepare(progress);
-    Film film(session.device(), settings.width, settings.height, "picture");
+    picture.prepare(progress);
     Result result;
-    render_until_done(*renderer, film, options, progress, result, start);
-    result.statistics = renderer->statistics();
-    result.peak_bytes = session.device().memory().peak;
+    render_until_done(picture, options, progress, result, start);
+    result.statistics = picture.statistics();
+    result.peak_bytes = session.memory().peak;
 
     AovPlanes planes;
     if (!aovs.empty()) {
-        const auto info = make_camera_info(camera, data.origin, settings.width, settings.height);
-        planes = extract_aovs(render_aovs(session.device(), scene, info, settings.width, settings.height),
-                              aovs, data);
-        add_reflection_data(planes, *renderer, aovs);
+        planes =
+            extract_aovs(session.first_hits(camera, settings.width, settings.height), aovs, session.scene());
+        add_reflection_data(planes, picture, aovs);
     }
     write_picture(result, options, planes.channels());
     progress.clear();
@@ -283,7 +274,7 @@ ExitCode render(RenderOptions options, const std::vector<std::string>& given) {
     nlohmann::ordered_json json = to_json(result, options, session.device());
     json["choice"] = choice;
     write_json(options.common, json);
-    session.check_validation();
+    check_validation(session);
     return progress.cancelled() ? ExitCode::interrupted : ExitCode::success;
 }
 

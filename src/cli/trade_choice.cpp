@@ -79,11 +79,11 @@ void add_choice_options(CLI::App& command, ChoiceOptions& options) {
 }
 
 ComparisonSettings trade_settings(const PictureOptions& picture, const std::vector<Method>& methods,
-                                  LightMethod light) {
+                                  const LightMethod& light) {
     ComparisonSettings settings;
     settings.render = picture.render_settings();
     settings.maps = picture.map_settings();
-    settings.light = light;
+    settings.light = &light;
     settings.methods = methods;
     settings.samples = kTradeSamples;
     settings.reference_samples = kTradeReferenceSamples;
@@ -143,11 +143,11 @@ nlohmann::ordered_json choice_to_json(const Trade& trade, const TradePoint& poin
             {"prepare_seconds", run.result.prepare_seconds}};
 }
 
-void keep_for_later(const RenderInput& input, const ComparisonSettings& settings,
+void keep_for_later(const Session& session, const Camera& camera, const ComparisonSettings& settings,
                     const std::vector<std::string>& options, const Trade& trade) {
     const auto folder = cache_folder();
     if (!folder) return;
-    const nlohmann::ordered_json key = trade_key(input, settings, options);
+    const nlohmann::ordered_json key = trade_key(session, camera, settings, options);
     try {
         keep_trade(trade_file(*folder, key), key, trade);
     } catch (const Error& error) {
@@ -155,11 +155,11 @@ void keep_for_later(const RenderInput& input, const ComparisonSettings& settings
     }
 }
 
-Trade kept_or_measured(const RenderInput& input, const ComparisonSettings& settings,
+Trade kept_or_measured(Session& session, const Camera& camera, const ComparisonSettings& settings,
                        const std::vector<std::string>& options, const CommonOptions& common,
                        Progress& progress) {
     if (const auto folder = cache_folder()) {
-        const nlohmann::ordered_json key = trade_key(input, settings, options);
+        const nlohmann::ordered_json key = trade_key(session, camera, settings, options);
         if (auto kept = read_kept_trade(trade_file(*folder, key), key)) return std::move(*kept);
     }
     if (!common.quiet) {
@@ -167,9 +167,9 @@ Trade kept_or_measured(const RenderInput& input, const ComparisonSettings& setti
                    "note: no trade is kept for this scene, camera, size and device: measuring it, "
                    "which takes minutes\n");
     }
-    Trade trade = run_trade(input, settings, progress);
+    Trade trade = run_trade(session, camera, settings, progress);
     if (trade.interrupted) throw Interrupted();
-    keep_for_later(input, settings, options, trade);
+    keep_for_later(session, camera, settings, options, trade);
     return trade;
 }
 

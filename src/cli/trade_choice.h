@@ -30,7 +30,7 @@ inline constexpr std::uint32_t kTradeReferenceSamples = 256;
 
 /// What to sweep, around the settings of the picture.
 ComparisonSettings trade_settings(const PictureOptions& picture, const std::vector<Method>& methods,
-                                  LightMethod light);
+                                  const LightMethod& light);
 
 /// Words that give the picture options of `command` as its user did, but for those that a sweep sets.
 std::vector<std::string> given_picture_options(const CLI::App& command);
@@ -46,12 +46,12 @@ nlohmann::ordered_json choice_to_json(const Trade& trade, const TradePoint& poin
 
 /// Keeps a trade for `utsuri render`; says so on standard error if that fails.
 /// @param options words that all runs share
-void keep_for_later(const RenderInput& input, const ComparisonSettings& settings,
+void keep_for_later(const Session& session, const Camera& camera, const ComparisonSettings& settings,
                     const std::vector<std::string>& options, const Trade& trade);
 
 /// A trade that was kept before, else measured now and kept, which standard error says.
 /// @throws Interrupted if progress says so
-Trade kept_or_measured(const RenderInput& input, const ComparisonSettings& settings,
+Trade kept_or_measured(Session& session, const Camera& camera, const ComparisonSettings& settings,
                        const std::vector<std::string>& options, const CommonOptions& common,
                        Progress& progress);
 

@@ -2,7 +2,7 @@
 #include "cli/command.h"
 #include "cli/output.h"
 #include "cli/progress_line.h"
-#include "cli/session.h"
+#include "cli/scene_session.h"
 #include "cli/trade_choice.h"
 #include "compare/run_trade.h"
 #include "compare/trade_json.h"
@@ -33,10 +33,10 @@ struct TradeOptions {
 };
 
 ComparisonSettings settings_of(const TradeOptions& options) {
-    const LightMethod light = parse_light(options.light);
+    const LightMethod& light = find_light(options.light);
     std::vector<Method> methods;
     for (const std::string& name : split_list(options.methods))
-        methods.push_back({light, parse_reflection(name)});
+        methods.push_back({&light, &find_reflection(name)});
     if (options.methods.empty()) methods = all_methods(light);
     ComparisonSettings settings = trade_settings(options.picture, methods, light);
     settings.samples = options.most_samples;
@@ -72,16 +72,12 @@ ExitCode trade(const TradeOptions& options, const std::vector<std::string>& give
 
     const LoadedScene loaded = load_scene(scene_path);
     const Camera& camera = choose_camera(loaded.scene, options.picture.camera);
-    DeviceSession session(options.common);
+    Session session = make_session(options.common, options.picture.light_settings());
     make_output_folder(folder);
     ProgressLine progress(options.common.quiet);
     progress.begin("building the BVH");
-    const SceneData data = prepare_scene_data(loaded.scene);
-    const GpuScene scene(session.device(), data);
-    FilledLight light;
-    light.settings = options.picture.light_settings();
-    const RenderInput input{session.device(), data, scene, camera, light};
-    Trade trade = run_trade(input, settings, progress);
+    session.set_scene(loaded.scene);
+    Trade trade = run_trade(session, camera, settings, progress);
     trade.basis.scene = options.scene;
     trade.basis.command = command_line;
     trade.basis.import_seconds = loaded.import_seconds;
@@ -89,13 +85,13 @@ ExitCode trade(const TradeOptions& options, const std::vector<std::string>& give
     trade.scene_options = scene_words(options, given);
     progress.begin("writing trade.html");
     write_trade(trade, options.choice.metric, folder);
-    if (!trade.interrupted) keep_for_later(input, settings, given, trade);
+    if (!trade.interrupted) keep_for_later(session, camera, settings, given, trade);
     progress.clear();
 
     print_notes(options.common, loaded.notes);
     print_text(options.common, trade_table(trade, parse_error_metric(options.choice.metric)));
     print_text(options.common, fmt::format("\n{}\n", (folder / "trade.html").string()));
-    session.check_validation();
+    check_validation(session);
     nlohmann::ordered_json json = trade_to_json(trade);
     if (options.choice.wanted()) {
         const TradePoint point = choose_run(trade, options.choice);
@@ -118,7 +114,7 @@ void add_trade_command(CLI::App& app, const std::string& command_line, Action& a
     command->add_option("scene", options->scene, "glTF scene, .gltf or .glb")->required()->type_name("SCENE");
     command->add_option("-o,--output", options->folder, "Folder for trade.json and trade.html [trade-SCENE]")
         ->type_name("DIR");
-    command->add_option("--light", options->light, "Light at diffuse surfaces: direct")
+    command->add_option("--light", options->light, "Light at diffuse surfaces: " + list_lights())
         ->capture_default_str();
     command->add_option("--methods", options->methods,
                         "Reflections to try, separated by commas [all of them]");

@@ -58,7 +58,7 @@ struct Comparison {
     std::string command;  ///< the command line that made it
     DeviceSummary device;
     RenderSettings settings;
-    LightMethod light = LightMethod::direct;
+    const LightMethod* light = &light_methods().front();
     double exposure = 0.0;  ///< stops, of the display images
     double import_seconds = 0.0;
     double build_seconds = 0.0;     ///< BVH

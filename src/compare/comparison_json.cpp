@@ -41,13 +41,13 @@ Json settings_to_json(const MethodResult& result) {
     if (result.maps) {
         json["map_size"] = result.maps->fitted ? Json("fit") : Json(result.maps->size);
         json["map_samples"] = result.maps->samples;
-        if (result.method.reflection != ReflectionMethod::sphere_map) {
+        if (result.method.reflection->traits.has_polyhedron) {
             json["polyhedron"] = result.maps->polyhedron.name;
             json["faces"] = result.maps->polyhedron.planes.size();
         }
         json["most_probes"] = result.maps->most_probes;
         if (result.maps->proxy) json["proxy"] = result.maps->proxy->name;
-        if (result.method.reflection == ReflectionMethod::hybrid) {
+        if (result.method.reflection->traits.has_tolerance) {
             const Tolerance& tolerance = result.maps->tolerance;
             json[tolerance.of == Tolerance::Of::radiance ? "radiance_tolerance" : "tolerance"] =
                 tolerance.most;
@@ -64,8 +64,8 @@ Json settings_to_json(const MethodResult& result) {
 
 Json result_to_json(const MethodResult& result) {
     return {{"name", method_name(result.method)},
-            {"light", to_string(result.method.light)},
-            {"reflection", to_string(result.method.reflection)},
+            {"light", result.method.light->name},
+            {"reflection", result.method.reflection->name},
             {"settings", settings_to_json(result)},
             {"prepare_seconds", result.prepare_seconds},
             {"compile_seconds", result.compile_seconds},
@@ -121,7 +121,7 @@ Json comparison_to_json(const Comparison& comparison) {
             {"seed", comparison.settings.seed},
             {"specular_depth", comparison.settings.specular_depth},
             {"exposure", comparison.exposure},
-            {"light", to_string(comparison.light)},
+            {"light", comparison.light->name},
             {"triangles", comparison.triangles},
             {"scene_bytes", comparison.scene_bytes},
             {"import_seconds", comparison.import_seconds},

@@ -12,18 +12,18 @@ double fraction(std::uint64_t part, std::uint64_t whole) {
 
 }  // namespace
 
-MethodResult collect_result(const Method& method, const MapSettings& maps, const Renderer& renderer,
-                            const Film& film, const Device& device) {
-    const RenderStatistics& statistics = renderer.statistics();
+MethodResult collect_result(const PictureSettings& settings, const Picture& picture,
+                            const MemoryUsage& memory) {
+    const RenderStatistics& statistics = picture.statistics();
     MethodResult result;
-    result.method = method;
-    result.samples = film.samples();
-    if (uses_maps(method)) result.maps = maps;
+    result.method = settings.method;
+    result.samples = picture.samples();
+    if (settings.method.reflection->traits.looks_up_maps) result.maps = settings.maps;
     result.prepare_seconds = statistics.prepare_seconds;
     result.compile_seconds = statistics.compile_seconds;
     result.frame_seconds = statistics.frame_seconds;
     result.gpu_seconds = statistics.counts.gpu_seconds;
-    result.peak_bytes = device.memory().peak;
+    result.peak_bytes = memory.peak;
     result.rays = statistics.counts.rays;
     result.prepare_rays = statistics.prepare_counts.rays;
     result.map_count = statistics.maps;
@@ -31,7 +31,7 @@ MethodResult collect_result(const Method& method, const MapSettings& maps, const
     result.traced_fraction = fraction(statistics.counts.traced, statistics.counts.lookups);
     result.nonfinite = statistics.counts.nonfinite + statistics.prepare_counts.nonfinite;
     result.truncated_fraction = fraction(statistics.counts.truncated, statistics.counts.lookups);
-    result.image = film.resolve();
+    result.image = picture.image();
     return result;
 }
 

@@ -3,12 +3,13 @@
 
 #include "compare/comparison.h"
 
+#include "session/session.h"
+
 namespace utsuri {
 
-/// What a renderer took for the samples of a film, and their picture; errors are not measured yet.
-/// @param maps noted if the method uses maps
-MethodResult collect_result(const Method& method, const MapSettings& maps, const Renderer& renderer,
-                            const Film& film, const Device& device);
+/// What a picture took, and how it looks; errors are not measured yet.
+MethodResult collect_result(const PictureSettings& settings, const Picture& picture,
+                            const MemoryUsage& memory);
 
 /// Fills in how far a result's picture is from the comparison's reference, at the comparison's exposure.
 void measure_errors(const Comparison& comparison, MethodResult& result);

@@ -42,22 +42,20 @@ DisplacementSummary summary_of(const Plane& plane) {
 
 }  // namespace
 
-ReflectionErrors find_reflection_errors(const Method& method, const RenderInput& input,
-                                        const RenderSettings& settings, const MapSettings& maps,
-                                        Progress& progress) {
-    UTSURI_CHECK(tells_errors(method));
+ReflectionErrors find_reflection_errors(Session& session, PictureSettings settings, Progress& progress) {
+    const ReflectionTraits& traits = settings.method.reflection->traits;
+    UTSURI_CHECK(traits.predicts_errors);
     const auto start = std::chrono::steady_clock::now();
-    MapSettings predicting = maps;
-    predicting.predicts_errors = true;
-    predicting.samples = 1;  // errors are of places, whatever their colours
-    const std::unique_ptr<Renderer> renderer = make_renderer(method, input, settings, predicting);
-    renderer->prepare(progress);
+    settings.maps.predicts_errors = true;
+    settings.maps.samples = 1;  // errors are of places, whatever their colours
+    Picture picture = session.make_picture(settings);
+    picture.prepare(progress);
     ReflectionErrors errors;
-    errors.predicted = displacements(renderer->predict_errors(), settings);
-    errors.measured = displacements(renderer->measure_errors(), settings);
-    if (chooses_per_pixel(method)) {
-        errors.traced = Plane(settings.width, settings.height);
-        errors.traced.values = renderer->traced_pixels();
+    errors.predicted = displacements(picture.predict_errors(), settings.render);
+    errors.measured = displacements(picture.measure_errors(), settings.render);
+    if (traits.has_tolerance) {
+        errors.traced = Plane(settings.render.width, settings.render.height);
+        errors.traced.values = picture.traced_pixels();
         for (std::size_t i = 0; i < errors.traced.values.size(); ++i) {
             if (errors.traced.values[i] <= 0.0f) continue;
             errors.predicted.values[i] = errors.measured.values[i] = 0.0f;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/methods/method.h"
-
 #include "base/progress.h"
 #include "image/plane.h"
+
+#include "session/session.h"
 
 #include <cstdint>
 #include <string>
@@ -38,13 +38,10 @@ struct ReflectionErrorSummary {
     double exceeded = 0.0;  ///< share of the pixels that are off by more than predicted
 };
 
-/// Tells them with a renderer of its own, since most methods keep no distances, which predictions take.
-/// @param input whose light is filled
-/// @pre tells_errors(method)
+/// Tells them with a picture of its own, since most methods keep no distances, which predictions take.
+/// @param settings of a method with ReflectionTraits::predicts_errors
 /// @throws UsageError if the distance maps cannot fit into one buffer of the device
-ReflectionErrors find_reflection_errors(const Method& method, const RenderInput& input,
-                                        const RenderSettings& settings, const MapSettings& maps,
-                                        Progress& progress);
+ReflectionErrors find_reflection_errors(Session& session, PictureSettings settings, Progress& progress);
 
 ReflectionErrorSummary summarise(const ReflectionErrors& errors);
 

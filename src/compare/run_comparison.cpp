@@ -3,7 +3,6 @@
 
 #include "compare/measure.h"
 #include "renderers/film/aov.h"
-#include "renderers/film/frame_camera.h"
 
 #include "image/tone.h"
 
@@ -28,34 +27,38 @@ struct Rendered {
     Image half;
 };
 
-Rendered render(const RenderInput& input, const Method& method, const RenderSettings& settings,
-                const MapSettings& maps, std::uint32_t samples, const std::string& title,
+Rendered render(Session& session, const PictureSettings& settings, std::uint32_t samples,
                 Progress& progress) {
-    input.device.reset_peak_memory();
-    const std::unique_ptr<Renderer> renderer = make_renderer(method, input, settings, maps);
-    if (uses_maps(method)) progress.begin(fmt::format("{}, capturing maps", title));
-    renderer->prepare(progress);
-    Film film(input.device, settings.width, settings.height, title);
-    progress.begin(fmt::format("{}, {} samples per pixel", title, samples));
-    renderer->add_samples(film, samples, progress);
+    session.reset_peak_memory();
+    Picture picture = session.make_picture(settings);
+    if (settings.method.reflection->traits.looks_up_maps)
+        progress.begin(fmt::format("{}, capturing maps", settings.title));
+    picture.prepare(progress);
+    progress.begin(fmt::format("{}, {} samples per pixel", settings.title, samples));
+    picture.add_samples(samples, progress);
 
     Rendered rendered;
-    if (film.samples() >= 2 && film.samples() % 2 == 0) rendered.noise = film.estimate_noise();
-    rendered.half = film.resolve_half(0);
-    rendered.result = collect_result(method, maps, *renderer, film, input.device);
+    if (picture.samples() >= 2 && picture.samples() % 2 == 0) rendered.noise = picture.noise();
+    rendered.half = picture.half_image(0);
+    rendered.result = collect_result(settings, picture, session.memory());
     return rendered;
 }
 
+/// Exact wherever it goes.
+const ReflectionMethod& reference_reflection() {
+    return find_reflection("trace");
+}
+
 /// After all methods have been timed, so that drivers do not know a method's pipelines from predictions.
-void add_reflection_errors(Comparison& comparison, const RenderInput& input,
+void add_reflection_errors(Comparison& comparison, Session& session, const Camera& camera,
                            const ComparisonSettings& settings, Progress& progress) {
     for (MethodResult& result : comparison.methods) {
         if (progress.cancelled()) return;
-        if (!tells_errors(result.method)) continue;
+        if (!result.method.reflection->traits.predicts_errors) continue;
         progress.begin(fmt::format("{}, predicting errors", method_name(result.method)));
         try {
-            ReflectionErrors errors =
-                find_reflection_errors(result.method, input, settings.render, settings.maps, progress);
+            ReflectionErrors errors = find_reflection_errors(
+                session, {result.method, camera, settings.render, settings.maps}, progress);
             const std::string stem = file_stem(result.method);
             errors.predicted_file = stem + "_predicted.png";
             errors.measured_file = stem + "_measured.png";
@@ -72,27 +75,28 @@ void add_reflection_errors(Comparison& comparison, const RenderInput& input,
 
 }  // namespace
 
-Comparison run_comparison(const RenderInput& input, const ComparisonSettings& settings, Progress& progress) {
+Comparison run_comparison(Session& session, const Camera& camera, const ComparisonSettings& settings,
+                          Progress& progress) {
     Comparison comparison;
-    comparison.device = input.device.summary();
+    comparison.device = session.device();
     comparison.settings = settings.render;
     comparison.light = settings.light;
-    comparison.build_seconds = input.data.build_seconds;
-    comparison.scene_bytes = input.data.device_bytes();
-    comparison.triangles = input.data.requirements.triangles;
-    const auto camera =
-        make_camera_info(input.camera, input.data.origin, settings.render.width, settings.render.height);
-    comparison.reflective = reflective_mask(
-        render_aovs(input.device, input.scene, camera, settings.render.width, settings.render.height));
+    comparison.build_seconds = session.scene().build_seconds;
+    comparison.scene_bytes = session.scene().device_bytes();
+    comparison.triangles = session.scene().requirements.triangles;
+    comparison.reflective =
+        reflective_mask(session.first_hits(camera, settings.render.width, settings.render.height));
     comparison.reflective_pixels =
         static_cast<std::uint64_t>(std::count(comparison.reflective.begin(), comparison.reflective.end(), 1));
 
     // The reference has samples of its own: with the methods' seed its errors would be theirs.
     RenderSettings reference_settings = settings.render;
     reference_settings.seed = ~settings.render.seed;
-    Rendered reference =
-        render(input, {settings.light, ReflectionMethod::trace}, reference_settings, settings.maps,
-               settings.reference_samples, "reference direct/trace", progress);
+    const Method reference_method{settings.light, &reference_reflection()};
+    Rendered reference = render(session,
+                                {reference_method, camera, reference_settings, settings.maps,
+                                 fmt::format("reference {}", method_name(reference_method))},
+                                settings.reference_samples, progress);
     if (reference.result.samples == 0) throw Interrupted();
     comparison.reference = std::move(reference.result);
     comparison.reference_half = std::move(reference.half);
@@ -106,9 +110,10 @@ Comparison run_comparison(const RenderInput& input, const ComparisonSettings& se
     for (const Method& method : settings.methods) {
         if (progress.cancelled()) break;
         try {
-            MethodResult result = render(input, method, settings.render, settings.maps, settings.samples,
-                                         method_name(method), progress)
-                                      .result;
+            MethodResult result =
+                render(session, {method, camera, settings.render, settings.maps, method_name(method)},
+                       settings.samples, progress)
+                    .result;
             if (result.samples == 0) break;
             progress.begin(fmt::format("{}, measuring", method_name(method)));
             measure_errors(comparison, result);
@@ -122,7 +127,7 @@ Comparison run_comparison(const RenderInput& input, const ComparisonSettings& se
             comparison.failures.push_back({method, error.what(), error.exit_code()});
         }
     }
-    if (settings.predictions) add_reflection_errors(comparison, input, settings, progress);
+    if (settings.predictions) add_reflection_errors(comparison, session, camera, settings, progress);
     comparison.interrupted = progress.cancelled();
     return comparison;
 }

@@ -44,61 +44,60 @@ double median(std::vector<double> values) {
 }
 
 /// Renders the same pictures anew, up to the last short one, and takes the median of the times.
-void time_short_frames(Renderer& renderer, Film& film, const Camera& camera, std::span<TradeRun> runs,
-                       Progress& progress) {
+void time_short_frames(Picture& picture, const Camera& camera, std::span<TradeRun> runs, Progress& progress) {
     const auto is_short = [](const TradeRun& run) { return run.result.frame_seconds < kShortFrameSeconds; };
     runs = runs.first(static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), is_short)));
     std::vector<std::vector<double>> times;
     for (const TradeRun& run : runs)
         times.push_back({run.result.frame_seconds});
     for (std::size_t timing = 1; timing < kShortFrameTimings && !runs.empty(); ++timing) {
-        film.clear();
-        renderer.look_from(camera);
-        const double start = renderer.statistics().frame_seconds;
+        picture.set_camera(camera);
+        const double start = picture.statistics().frame_seconds;
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            renderer.add_samples(film, runs[i].result.samples - film.samples(), progress);
+            picture.add_samples(runs[i].result.samples - picture.samples(), progress);
             if (progress.cancelled()) return;
-            times[i].push_back(renderer.statistics().frame_seconds - start);
+            times[i].push_back(picture.statistics().frame_seconds - start);
         }
     }
     for (std::size_t i = 0; i < runs.size(); ++i)
         runs[i].result.frame_seconds = median(times[i]);
 }
 
-void run_setting(const RenderInput& input, const TradeSetting& setting, const ComparisonSettings& settings,
-                 const std::string& title, Progress& progress, Trade& trade) {
-    input.device.reset_peak_memory();
-    const std::unique_ptr<Renderer> renderer =
-        make_renderer(setting.method, input, settings.render, setting.maps);
+void run_setting(Session& session, const Camera& camera, const TradeSetting& setting,
+                 const ComparisonSettings& settings, const std::string& title, Progress& progress,
+                 Trade& trade) {
+    session.reset_peak_memory();
+    const PictureSettings picture_settings{setting.method, camera, settings.render, setting.maps, title};
+    Picture picture = session.make_picture(picture_settings);
     progress.begin(title + ", preparing");
-    renderer->prepare(progress);
-    Film film(input.device, settings.render.width, settings.render.height, title);
+    picture.prepare(progress);
     progress.begin(title);
-    renderer->look_from(input.camera);  // so that the time of a frame is what it takes when the eye moves
+    picture.set_camera(camera);  // so that the time of a frame is what it takes when the eye moves
     const std::size_t first = trade.runs.size();
     for (const std::uint32_t samples : swept_samples(settings.samples)) {
-        renderer->add_samples(film, samples - film.samples(), progress);
-        if (film.samples() < samples) return;
+        picture.add_samples(samples - picture.samples(), progress);
+        if (picture.samples() < samples) return;
         trade.runs.push_back(finish_run(
-            trade.basis, collect_result(setting.method, setting.maps, *renderer, film, input.device),
-            setting.options));
+            trade.basis, collect_result(picture_settings, picture, session.memory()), setting.options));
         if (progress.cancelled()) return;
     }
-    time_short_frames(*renderer, film, input.camera, std::span(trade.runs).subspan(first), progress);
+    time_short_frames(picture, camera, std::span(trade.runs).subspan(first), progress);
 }
 
-Comparison render_reference(const RenderInput& input, ComparisonSettings settings, Progress& progress) {
+Comparison render_reference(Session& session, const Camera& camera, ComparisonSettings settings,
+                            Progress& progress) {
     settings.methods.clear();
-    Comparison basis = run_comparison(input, settings, progress);
+    Comparison basis = run_comparison(session, camera, settings, progress);
     if (basis.interrupted) throw Interrupted();
     return basis;
 }
 
 }  // namespace
 
-Trade run_trade(const RenderInput& input, const ComparisonSettings& settings, Progress& progress) {
+Trade run_trade(Session& session, const Camera& camera, const ComparisonSettings& settings,
+                Progress& progress) {
     Trade trade;
-    trade.basis = render_reference(input, settings, progress);
+    trade.basis = render_reference(session, camera, settings, progress);
     MethodResult half;
     half.image = std::move(trade.basis.reference_half);
     measure_errors(trade.basis, half);
@@ -111,7 +110,7 @@ Trade run_trade(const RenderInput& input, const ComparisonSettings& settings, Pr
         const std::string title =
             fmt::format("{} of {}: {}", i + 1, sweep.size(), shell_command(setting.options));
         try {
-            run_setting(input, setting, settings, title, progress, trade);
+            run_setting(session, camera, setting, settings, title, progress, trade);
         } catch (const Interrupted&) {
             break;
         } catch (const Error& error) {

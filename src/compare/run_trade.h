@@ -10,6 +10,7 @@ namespace utsuri {
 /// on the way to settings.samples. Each setting is prepared once. Stops early if progress says so, with what
 /// was finished. A setting that fails is noted in Trade::failures, and the others go on.
 /// @throws Interrupted if the reference was not finished; Error if it fails
-Trade run_trade(const RenderInput& input, const ComparisonSettings& settings, Progress& progress);
+Trade run_trade(Session& session, const Camera& camera, const ComparisonSettings& settings,
+                Progress& progress);
 
 }  // namespace utsuri

@@ -93,26 +93,26 @@ Json sweep_to_json(const ComparisonSettings& settings) {
 
 }  // namespace
 
-Json trade_key(const RenderInput& input, const ComparisonSettings& settings,
+Json trade_key(const Session& session, const Camera& camera, const ComparisonSettings& settings,
                const std::vector<std::string>& options) {
-    const Camera& camera = input.camera;
     Json words = Json::array();
     for (const std::string& option : options)
         words.push_back(valid_utf8(option));
     return {{"schema", kTradeSchema},
             {"utsuri", kVersion},
-            {"device", device_to_json(input.device.summary())},
-            {"scene", hash_scene(input.data)},
+            {"device", device_to_json(session.device())},
+            {"scene", hash_scene(session.scene())},
             {"camera",
              {vector_to_json(camera.position), vector_to_json(camera.right), vector_to_json(camera.up),
               vector_to_json(camera.forward), camera.vertical_fov}},
-            {"origin", vector_to_json(input.data.origin)},
+            {"origin", vector_to_json(session.scene().origin)},
             {"width", settings.render.width},
             {"height", settings.render.height},
             {"options", words},
             {"polyhedron", planes_to_json(settings.maps.polyhedron)},
             {"proxy", planes_to_json(settings.maps.proxy)},
-            {"light", to_string(settings.light)},
+            {"light", settings.light->name},
+            {"kept_light", settings.render.kept_light},
             {"sweep", sweep_to_json(settings)},
             {"samples", settings.samples},
             {"reference_samples", settings.reference_samples}};

@@ -15,8 +15,8 @@ namespace utsuri {
 
 /// All that a trade depends on: contents of the scene, camera, device and driver, picture, options and sweep.
 /// @param options words of `utsuri render` that all runs share
-nlohmann::ordered_json trade_key(const RenderInput& input, const ComparisonSettings& settings,
-                                 const std::vector<std::string>& options);
+nlohmann::ordered_json trade_key(const Session& session, const Camera& camera,
+                                 const ComparisonSettings& settings, const std::vector<std::string>& options);
 
 /// The file in `folder` that keeps the trade of a key.
 std::filesystem::path trade_file(const std::filesystem::path& folder, const nlohmann::ordered_json& key);

@@ -83,8 +83,8 @@ Metrics metrics_from(const Json& json) {
 TradeRun run_from(const Json& json) {
     TradeRun run;
     MethodResult& result = run.result;
-    result.method = {parse_light(json.at("light").get<std::string>()),
-                     parse_reflection(json.at("reflection").get<std::string>())};
+    result.method =
+        find_method(json.at("light").get<std::string>(), json.at("reflection").get<std::string>());
     result.samples = json.at("settings").at("samples").get<std::uint32_t>();
     result.prepare_seconds = json.at("prepare_seconds").get<double>();
     result.frame_seconds = json.at("frame_seconds").get<double>();

@@ -45,11 +45,6 @@ TradeSetting with_probes(TradeSetting setting, std::uint32_t most) {
     return setting;
 }
 
-/// Whether the method looks up whichever of several probes of a plane mirror or a curved one is best.
-bool chooses_probes(ReflectionMethod reflection) {
-    return reflection != ReflectionMethod::sphere_map && reflection != ReflectionMethod::planar;
-}
-
 TradeSetting with_tolerance(TradeSetting setting, double most) {
     Tolerance& tolerance = setting.maps.tolerance;
     tolerance.most = most;
@@ -91,27 +86,27 @@ std::vector<std::uint32_t> map_sizes(std::uint32_t given) {
 
 /// What a method is swept over.
 std::vector<TradeSetting> settings_of(const Method& method, const MapSettings& given) {
-    const TradeSetting plain{method, given, {"--reflection", std::string(to_string(method.reflection))}};
+    const TradeSetting plain{method, given, {"--reflection", std::string(method.reflection->name)}};
     std::vector<TradeSetting> settings;
-    if (!uses_maps(method)) return {plain};
-    const bool is_hybrid = method.reflection == ReflectionMethod::hybrid;
+    const ReflectionTraits& traits = method.reflection->traits;
+    if (!traits.looks_up_maps) return {plain};
     const auto add = [&](const TradeSetting& sized) {
-        settings.push_back(is_hybrid ? with_tolerance(sized, given.tolerance.most) : sized);
+        settings.push_back(traits.has_tolerance ? with_tolerance(sized, given.tolerance.most) : sized);
     };
     for (const std::uint32_t size : given.fitted ? std::vector<std::uint32_t>() : map_sizes(given.size))
         add(with_map_size(plain, size));
     add(with_fitted_maps(plain));
-    if (given.most_probes == 1 && chooses_probes(method.reflection)) {
+    if (given.most_probes == 1 && traits.takes_probes) {
         const TradeSetting sized = with_given_maps(plain, given);
-        settings.push_back(
-            with_probes(is_hybrid ? with_tolerance(sized, given.tolerance.most) : sized, kSeveralProbes));
+        settings.push_back(with_probes(
+            traits.has_tolerance ? with_tolerance(sized, given.tolerance.most) : sized, kSeveralProbes));
     }
-    if (is_hybrid) {
+    if (traits.has_tolerance) {
         for (const double most : other_tolerances(given.tolerance))
             settings.push_back(with_tolerance(with_given_maps(plain, given), most));
     }
     const bool as_modelled = !given.refinement.edge && !given.refinement.error;
-    if (method.reflection == ReflectionMethod::polygon_map && as_modelled) {
+    if (traits.is_per_polygon && as_modelled) {
         for (const double degrees : kPolygonErrors)
             settings.push_back(with_polygon_error(with_given_maps(plain, given), degrees));
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Maps are captured when something looks them up, and no others; pictures do not tell.
+#include "renderers/light/direct/light_cache.h"
 #include "renderers/methods/planar_renderer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
@@ -21,8 +22,9 @@ Scene mirror_in_room() {
 class CapturedMaps : public DeviceTest {
   protected:
     explicit CapturedMaps(const Scene& scene = mirror_in_room())
-        : data_(prepare_scene_data(scene)), scene_(device(), data_) {
-        light_.settings = {1.0 / 20.0, 1};
+        : data_(prepare_scene_data(scene)),
+          scene_(device(), data_),
+          light_(device(), data_, scene_, kCoarse) {
         settings_.size = 16;
         settings_.samples = 1;
     }
@@ -39,10 +41,12 @@ class CapturedMaps : public DeviceTest {
         return film.resolve();
     }
 
+    static constexpr LightSettings kCoarse{1.0 / 20.0, 1, 0};
+
     Progress silent_;
     SceneData data_;
     GpuScene scene_;
-    FilledLight light_;
+    LightCache light_;
     MapSettings settings_;
 };
 
@@ -55,7 +59,7 @@ TEST_F(CapturedMaps, AreThoseThatReflectionsReach) {
         EXPECT_EQ(narrow.statistics().maps, kCubeFaces);
         EXPECT_EQ(narrow.statistics().captured_maps, 1u);
         const std::uint64_t texels = (settings_.size + 2) * (settings_.size + 2);
-        EXPECT_EQ(narrow.statistics().prepare_counts.rays - light_.counts.rays, texels)
+        EXPECT_EQ(narrow.statistics().prepare_counts.rays - light_.cost().counts.rays, texels)
             << "one ray a texel, from which surfaces that shine are seen";
     }
 }
@@ -93,13 +97,13 @@ TEST_F(CapturedMaps, FollowTheEye) {
     for (const MapKind kind : kMapKinds) {
         MapRenderer moving = renderer(kind, straight);
         moving.prepare(silent_);
-        moving.look_from(aslant);
+        moving.set_camera(aslant);
         const Image later = picture(moving);
         settings_.captures_all = true;
         MapRenderer all = renderer(kind, straight);
         all.prepare(silent_);
         settings_.captures_all = false;
-        all.look_from(aslant);
+        all.set_camera(aslant);
         EXPECT_EQ(later.pixels, picture(all).pixels) << "kind of map " << static_cast<int>(kind);
         if (kind == MapKind::polygon || kind == MapKind::cube) {
             EXPECT_EQ(moving.statistics().captured_maps, 2u) << "straight ahead and to the left";
@@ -108,7 +112,7 @@ TEST_F(CapturedMaps, FollowTheEye) {
         MapRenderer framed = renderer(kind, straight);
         framed.prepare(silent_);
         for (MapRenderer* renderer : {&framed, &all}) {
-            renderer->look_from(aslant);
+            renderer->set_camera(aslant);
             renderer->draw_frame();
         }
         EXPECT_EQ(framed.frame().pixels, all.frame().pixels);
@@ -123,7 +127,7 @@ class Cancelled : public Progress {
 TEST_F(CapturedMaps, AreNotCapturedOnceCancelled) {
     MapRenderer stopped = renderer(MapKind::cube, look_at({0, 0, 2}, {0, 0, 3}));
     stopped.prepare(silent_);
-    stopped.look_from(look_at({0, 0, 2}, {0, 0, -3}));
+    stopped.set_camera(look_at({0, 0, 2}, {0, 0, -3}));
     Film film(device(), kPicture.width, kPicture.height, "film");
     Cancelled cancelled;
     stopped.add_samples(film, 2, cancelled);
@@ -138,8 +142,7 @@ TEST_F(CapturedMaps, OfCurvedReflectorsBesidePlaneOnes) {
     add(scene, icosphere({0, 0, 0}, 0.4f, 2), mirror());
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device(), data);
-    FilledLight light;
-    light.settings = light_.settings;
+    LightCache light(device(), data, gpu_scene, kCoarse);
     for (const bool is_seen : {false, true}) {
         const Camera camera = look_at({0, 0, 2}, {0, is_seen ? 0.0 : 10.0, 0});
         PlanarRenderer planar(device(), data, gpu_scene, light, camera, MapKind::proxy, kPicture, settings_);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light on surfaces of a scene in which something moved: simulated anew only where its shadow was or is,
 // and the light that a scene would have which was always so.
-#include "renderers/light/light_cache.h"
+#include "renderers/light/direct/lattice_plan.h"
+#include "renderers/light/direct/light_cache.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
 
@@ -14,8 +15,8 @@
 namespace utsuri::test {
 namespace {
 
-constexpr LightCacheSettings kCoarse{1.0 / 60.0, 8};
 constexpr std::uint32_t kSeed = 3;
+constexpr LightSettings kCoarse{1.0 / 60.0, 8, kSeed};
 
 Light lamp(LightType type, const glm::dvec3& position, const glm::dvec3& direction) {
     Light light;
@@ -98,49 +99,53 @@ Scene with_block_moved(Scene scene, const glm::dmat4& by) {
     return scene;
 }
 
+using Points = std::vector<interop::LightCachePoint>;
+
 class ChangedLight : public DeviceTest {
   protected:
-    ChangedLight() { light_.settings = kCoarse; }
-
-    /// Light of the scene as it is, on from what was there before.
-    void fill(const SceneData& data, const ChangedSpace& changed, FilledLight& light) {
-        GpuScene scene(device(), data);
-        Progress progress;
-        LightCache(device(), data, kCoarse).fill(scene, kSeed, changed, light, progress);
-    }
-
     void prepare(const Scene& scene) {
+        light_.reset();
         data_ = prepare_scene_data(scene);
-        light_ = {};
-        light_.settings = kCoarse;
-        fill(data_, all_space(), light_);
+        gpu_scene_ = std::make_unique<GpuScene>(device(), data_);
+        light_ = std::make_unique<LightCache>(device(), data_, *gpu_scene_, kCoarse);
+        light_->fill(silent_);
     }
 
-    /// @returns rays that following took
+    SceneChange change(const Scene& scene) {
+        SceneChange change = update_scene_data(data_, scene);
+        gpu_scene_->update(data_);
+        return change;
+    }
+
+    /// @returns rays that taking over the scene as it is now took
     std::uint64_t follow(const Scene& scene) {
-        const SceneChange change = update_scene_data(data_, scene);
-        EXPECT_FALSE(change.lights);
-        fill(data_, changed_space(data_, change), light_);
-        return light_.counts.rays;
+        const SceneChange changed = change(scene);
+        EXPECT_FALSE(changed.lights);
+        light_->update(changed, silent_);
+        return light_->cost().counts.rays;
     }
 
-    FilledLight anew() {
-        FilledLight light;
-        light.settings = kCoarse;
-        fill(data_, all_space(), light);
+    /// Light of the scene as it is, with nothing kept from before.
+    std::unique_ptr<LightCache> anew() {
+        auto light = std::make_unique<LightCache>(device(), data_, *gpu_scene_, kCoarse);
+        light->fill(silent_);
         return light;
     }
 
-    static std::size_t different_points(const FilledLight& a, const FilledLight& b) {
-        EXPECT_EQ(a.points.size(), b.points.size());
+    static std::size_t different_points(const LightCache& a, const LightCache& b) {
+        const Points of_a = a.points();
+        const Points of_b = b.points();
+        EXPECT_EQ(of_a.size(), of_b.size());
         std::size_t count = 0;
-        for (std::size_t i = 0; i < a.points.size(); ++i)
-            count += std::memcmp(&a.points[i], &b.points[i], sizeof(a.points[i])) != 0 ? 1 : 0;
+        for (std::size_t i = 0; i < of_a.size(); ++i)
+            count += std::memcmp(&of_a[i], &of_b[i], sizeof(of_a[i])) != 0 ? 1 : 0;
         return count;
     }
 
+    Progress silent_;
     SceneData data_;
-    FilledLight light_;
+    std::unique_ptr<GpuScene> gpu_scene_;
+    std::unique_ptr<LightCache> light_;
 };
 
 TEST_F(ChangedLight, IsThatOfASceneWhichWasAlwaysSo) {
@@ -157,10 +162,10 @@ TEST_F(ChangedLight, IsThatOfASceneWhichWasAlwaysSo) {
             const glm::dvec3 by(place(random), 0.5 * place(random), place(random));
             const glm::dmat4 turned = glm::rotate(glm::dmat4(1.0), place(random), glm::dvec3(0, 1, 0));
             rays += follow(with_block_moved(scene, glm::translate(glm::dmat4(1.0), by) * turned));
-            const FilledLight as_it_is = anew();
-            rays_anew += as_it_is.counts.rays;
-            EXPECT_EQ(different_points(light_, as_it_is), 0u) << "step " << step;
-            EXPECT_FALSE(light_.changed.empty()) << "step " << step;
+            const std::unique_ptr<LightCache> as_it_is = anew();
+            rays_anew += as_it_is->cost().counts.rays;
+            EXPECT_EQ(different_points(*light_, *as_it_is), 0u) << "step " << step;
+            EXPECT_FALSE(light_->changed().empty()) << "step " << step;
         }
         EXPECT_LE(static_cast<double>(rays), lit.most_rays * static_cast<double>(rays_anew));
     }
@@ -188,7 +193,7 @@ TEST_F(ChangedLight, OnThinStripsUnderManyThingsIsThatOfASceneWhichWasAlwaysSo) 
                 glm::dmat4(1.0), glm::dvec3(4.0 * place(random), 0.25 * place(random), place(random)));
         }
         follow(moved);
-        EXPECT_EQ(different_points(light_, anew()), 0u) << "step " << step;
+        EXPECT_EQ(different_points(*light_, *anew()), 0u) << "step " << step;
     }
 }
 
@@ -207,7 +212,7 @@ TEST_F(ChangedLight, IsSimulatedOnlyOnAThingThatCastsNoShadow) {
     }
     EXPECT_GT(rays, 0u);
     EXPECT_LE(rays, points * kCoarse.samples) << "a side of each point sees the lamp";
-    EXPECT_EQ(different_points(light_, anew()), 0u);
+    EXPECT_EQ(different_points(*light_, *anew()), 0u);
 }
 
 // A thing that leaves its scene's bounds makes all points wider apart.
@@ -216,9 +221,9 @@ TEST_F(ChangedLight, IsSimulatedAnewWherePointsAreOthers) {
     scene.lights.push_back(lamp(LightType::point, {0.5, 1.75, 0.25}, {0, -1, 0}));
     prepare(scene);
     follow(with_block_moved(scene, glm::translate(glm::dmat4(1.0), glm::dvec3(0, 6, 0))));
-    const FilledLight as_it_is = anew();
-    EXPECT_EQ(light_.counts.rays, as_it_is.counts.rays);
-    EXPECT_EQ(different_points(light_, as_it_is), 0u);
+    const std::unique_ptr<LightCache> as_it_is = anew();
+    EXPECT_EQ(light_->cost().counts.rays, as_it_is->cost().counts.rays);
+    EXPECT_EQ(different_points(*light_, *as_it_is), 0u);
 }
 
 // What two changes moved is not known from the second alone.
@@ -226,9 +231,9 @@ TEST_F(ChangedLight, IsSimulatedAnewAfterAChangeThatWasNotFollowed) {
     Scene scene = unlit_scene();
     scene.lights.push_back(lamp(LightType::point, {0.5, 1.75, 0.25}, {0, -1, 0}));
     prepare(scene);
-    update_scene_data(data_, with_block_moved(scene, glm::translate(glm::dmat4(1.0), glm::dvec3(1, 0, 0))));
+    change(with_block_moved(scene, glm::translate(glm::dmat4(1.0), glm::dvec3(1, 0, 0))));
     follow(with_block_moved(scene, glm::translate(glm::dmat4(1.0), glm::dvec3(1, 0, 0.25))));
-    EXPECT_EQ(different_points(light_, anew()), 0u);
+    EXPECT_EQ(different_points(*light_, *anew()), 0u);
 }
 
 }  // namespace

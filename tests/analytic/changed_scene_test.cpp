@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renderers follow a scene whose things move and whose lights change: pictures are those of renderers made
 // for it as it is, and what the change cannot have touched is not made anew.
+#include "renderers/light/direct/light_cache.h"
 #include "renderers/methods/ray_tracer.h"
 #include "support/light_scenes.h"
 #include "support/methods.h"
@@ -27,16 +28,15 @@ Material& material_of(Scene& scene, std::uint32_t instance) {
 class ChangedScene : public DeviceTest {
   protected:
     ChangedScene() {
-        light_.settings = kCoarse;
         maps_.size = 16;
         maps_.samples = 1;
     }
 
     void prepare(const Scene& scene) {
+        light_.reset();
         data_ = prepare_scene_data(scene);
         gpu_scene_ = std::make_unique<GpuScene>(device(), data_);
-        light_ = {};
-        light_.settings = kCoarse;
+        light_ = std::make_unique<LightCache>(device(), data_, *gpu_scene_, kCoarse);
     }
 
     SceneChange change(const Scene& scene) {
@@ -45,7 +45,7 @@ class ChangedScene : public DeviceTest {
         return change;
     }
 
-    std::unique_ptr<Renderer> renderer(const DrawnMethod& method, const Camera& camera, FilledLight& light) {
+    std::unique_ptr<Renderer> renderer(const DrawnMethod& method, const Camera& camera, SurfaceLight& light) {
         if (method.draws_images) {
             return std::make_unique<PlanarRenderer>(device(), data_, *gpu_scene_, light, camera, method.kind,
                                                     kPicture, maps_);
@@ -55,7 +55,7 @@ class ChangedScene : public DeviceTest {
     }
 
     std::unique_ptr<Renderer> prepared(const DrawnMethod& method, const Camera& camera) {
-        std::unique_ptr<Renderer> made = renderer(method, camera, light_);
+        std::unique_ptr<Renderer> made = renderer(method, camera, *light_);
         made->prepare(silent_);
         return made;
     }
@@ -68,19 +68,18 @@ class ChangedScene : public DeviceTest {
 
     /// What a renderer shows that was made for the scene as it is.
     std::vector<glm::vec3> made_anew(const DrawnMethod& method, const Camera& camera) {
-        FilledLight light;
-        light.settings = kCoarse;
+        LightCache light(device(), data_, *gpu_scene_, kCoarse);
         const std::unique_ptr<Renderer> made = renderer(method, camera, light);
         made->prepare(silent_);
         return picture(*made);
     }
 
-    static constexpr LightCacheSettings kCoarse{1.0 / 30.0, 2};
+    static constexpr LightSettings kCoarse{1.0 / 30.0, 2, 0};
 
     Progress silent_;
     SceneData data_;
     std::unique_ptr<GpuScene> gpu_scene_;
-    FilledLight light_;
+    std::unique_ptr<LightCache> light_;
     MapSettings maps_;
 };
 
@@ -107,7 +106,7 @@ TEST_F(ChangedScene, LooksAsIfItHadAlwaysBeenSo) {
         std::vector<glm::vec3> before = picture(*following);
         for (int step = 1; step <= kSteps; ++step) {
             SCOPED_TRACE(step);
-            following->follow(change(later(step)), silent_);
+            following->update(change(later(step)), silent_);
             const std::vector<glm::vec3> now = picture(*following);
             EXPECT_NE(now, before);
             EXPECT_EQ(now, made_anew(method, camera));
@@ -122,7 +121,7 @@ TEST_F(ChangedScene, LooksAsIfItHadAlwaysBeenSoInMapsOnAnyPolyhedron) {
         maps_.polyhedron = platonic_solid(name);
         prepare(everything_scene());
         const std::unique_ptr<Renderer> following = prepared(MapKind::polygon, camera);
-        following->follow(change(later(1)), silent_);
+        following->update(change(later(1)), silent_);
         EXPECT_EQ(picture(*following), made_anew(MapKind::polygon, camera)) << name;
     }
 }
@@ -134,8 +133,8 @@ TEST_F(ChangedScene, IsFollowedFromAnotherEye) {
     for (const MapKind kind : kMapKinds) {
         prepare(everything_scene());
         const std::unique_ptr<Renderer> following = prepared(kind, everything_camera());
-        following->look_from(elsewhere);
-        following->follow(change(later(1)), silent_);
+        following->set_camera(elsewhere);
+        following->update(change(later(1)), silent_);
         EXPECT_EQ(picture(*following), made_anew(kind, elsewhere))
             << "kind of map " << static_cast<int>(kind);
     }
@@ -144,13 +143,13 @@ TEST_F(ChangedScene, IsFollowedFromAnotherEye) {
 TEST_F(ChangedScene, IsTracedAsIfItHadAlwaysBeenSo) {
     prepare(everything_scene());
     const Camera camera = everything_camera();
-    RayTracer following(device(), data_, *gpu_scene_, camera, kPicture);
-    following.prepare(silent_);
-    static_cast<void>(picture(following));
-    following.follow(change(later(kSteps)), silent_);
-    RayTracer anew(device(), data_, *gpu_scene_, camera, kPicture);
-    anew.prepare(silent_);
-    EXPECT_EQ(picture(following), picture(anew));
+    const std::unique_ptr<RayTracer> following = make_tracer(device(), data_, *gpu_scene_, camera, kPicture);
+    following->prepare(silent_);
+    static_cast<void>(picture(*following));
+    following->update(change(later(kSteps)), silent_);
+    const std::unique_ptr<RayTracer> anew = make_tracer(device(), data_, *gpu_scene_, camera, kPicture);
+    anew->prepare(silent_);
+    EXPECT_EQ(picture(*following), picture(*anew));
 }
 
 /// Renderers of one scene share its light: whoever follows first simulates it.
@@ -160,8 +159,8 @@ TEST_F(ChangedScene, IsFollowedByRenderersThatShareLight) {
     const std::unique_ptr<Renderer> first = prepared(MapKind::cube, camera);
     const std::unique_ptr<Renderer> second = prepared(MapKind::cube, camera);
     const SceneChange change = this->change(later(2));
-    first->follow(change, silent_);
-    second->follow(change, silent_);
+    first->update(change, silent_);
+    second->update(change, silent_);
     EXPECT_EQ(picture(*first), picture(*second));
     EXPECT_EQ(first->statistics().prepare_counts.rays, second->statistics().prepare_counts.rays);
 }
@@ -195,18 +194,18 @@ TEST_F(ChangedRoom, CapturesOnlyMapsThatSeeTheChange) {
 
     Scene changed = scene();
     material_of(changed, kPlate).emissive = {1, 1, 0};
-    following->follow(change(changed), silent_);
+    following->update(change(changed), silent_);
     EXPECT_EQ(following->statistics().prepare_counts.rays, texels_of(1))
         << "the face +x alone sees the plate";
     EXPECT_EQ(picture(*following), made_anew(MapKind::cube, camera));
 
     move(changed, kPlate, {-5, 0, 0});
-    following->follow(change(changed), silent_);
+    following->update(change(changed), silent_);
     EXPECT_EQ(following->statistics().prepare_counts.rays, texels_of(2)) << "from +x to -x";
     EXPECT_EQ(picture(*following), made_anew(MapKind::cube, camera));
 
     move(changed, kPlate, {0, 0, 2.5});
-    following->follow(change(changed), silent_);
+    following->update(change(changed), silent_);
     EXPECT_EQ(following->statistics().prepare_counts.rays, texels_of(2)) << "across the edge of -x and +z";
     EXPECT_EQ(picture(*following), made_anew(MapKind::cube, camera));
 }
@@ -219,7 +218,7 @@ TEST_F(ChangedRoom, MeasuresOnlyDistancesThatChanged) {
     const std::uint64_t all = following->statistics().prepare_counts.rays;
     Scene changed = scene();
     move(changed, kPlate, {0.125, 0, 0});
-    following->follow(change(changed), silent_);
+    following->update(change(changed), silent_);
     const std::uint64_t rays = following->statistics().prepare_counts.rays;
     EXPECT_LE(rays, all / 2) << "of the face +x and of those whose borders reach into it";
     EXPECT_GE(rays, all / kFaces);
@@ -243,7 +242,7 @@ TEST_F(ChangedRoom, BoundsRadianceAnewWhereItChanged) {
     const std::ptrdiff_t before = traced(*following);
     EXPECT_GT(before, 0);
     material_of(changed, kPlate).emissive = material_of(changed, 1).emissive;
-    following->follow(change(changed), silent_);
+    following->update(change(changed), silent_);
     const std::unique_ptr<Renderer> anew = prepared(MapKind::hybrid, camera);
     EXPECT_LT(traced(*anew), before);
     EXPECT_EQ(following->traced_pixels(), anew->traced_pixels());
@@ -270,7 +269,7 @@ TEST_F(ChangedRoom, FindsAnewWhichRaysMissAMirrorThatWasBent) {
     const std::ptrdiff_t before = traced(*following);
     glm::dmat4& place = changed.instances[0].world_from_object;
     place = glm::scale(glm::dmat4(1.0), {1.0, 2.5, 1.0}) * place;
-    following->follow(change(changed), silent_);
+    following->update(change(changed), silent_);
     const std::unique_ptr<Renderer> anew = prepared(MapKind::hybrid, camera);
     EXPECT_GT(traced(*anew), before);
     EXPECT_EQ(following->traced_pixels(), anew->traced_pixels());
@@ -282,7 +281,7 @@ TEST_F(ChangedRoom, CostsNothingWhereNothingChanged) {
     const std::unique_ptr<Renderer> following = prepared(MapKind::hybrid, look_at({0, 0, 2}, {0, 0, 0}));
     const SceneChange none = change(scene());
     EXPECT_TRUE(none.empty());
-    following->follow(none, silent_);
+    following->update(none, silent_);
     EXPECT_EQ(following->statistics().prepare_counts.rays, 0u);
     EXPECT_EQ(picture(*following), made_anew(MapKind::hybrid, look_at({0, 0, 2}, {0, 0, 0})));
 }
@@ -294,7 +293,7 @@ TEST_F(ChangedRoom, CapturesAllMapsOfAMirrorThatMoved) {
     const std::unique_ptr<Renderer> following = prepared(MapKind::cube, look_at({0, 0, 2}, {0, 0, 0}));
     Scene changed = scene();
     move(changed, 0, {0, 0.25, 0});
-    following->follow(change(changed), silent_);
+    following->update(change(changed), silent_);
     EXPECT_EQ(following->statistics().prepare_counts.rays, texels_of(kFaces));
 }
 

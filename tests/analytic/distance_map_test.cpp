@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // direct/distance-map, the distances it searches, and predictions of errors, in the worked room.
+#include "renderers/light/direct/light_cache.h"
 #include "renderers/reflection/distances/distance_maps.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
@@ -49,8 +50,7 @@ class DistanceMap : public DeviceTest {
                             const glm::dvec3& target) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        FilledLight light;
-        light.settings = {1.0 / 20.0, 1};
+        LightCache light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
         settings.samples = 1;
         settings.predicts_errors = true;
         RenderSettings picture;
@@ -86,8 +86,7 @@ TEST_F(DistanceMap, ShowsFurnitureWhereItIs) {
     const auto wrong_share = [&](MapKind kind) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        FilledLight light;
-        light.settings = {1.0 / 20.0, 1};
+        LightCache light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
         MapSettings settings = map_settings(kSize, kWorkedCapturePoint);
         settings.predicts_errors = true;
         MapRenderer renderer(device(), data, gpu_scene, light, camera, kind, picture, settings);

@@ -3,6 +3,7 @@
 // cost more.
 #include "renderers/film/aov.h"
 #include "renderers/film/frame_camera.h"
+#include "renderers/light/direct/light_cache.h"
 #include "renderers/methods/planar_renderer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
@@ -61,8 +62,7 @@ class HybridImages : public DeviceTest {
                      const RenderSettings& picture = kPicture) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        FilledLight light;
-        light.settings = {1.0 / 20.0, 1};
+        LightCache light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
         PlanarRenderer renderer(device(), data, gpu_scene, light, eye(), kind, picture, settings(tolerance));
         Progress progress;
         renderer.prepare(progress);

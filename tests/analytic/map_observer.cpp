@@ -10,9 +10,9 @@ MapObserver::MapObserver(Device& device, const Scene& scene, MapKind kind, const
       data_(prepare_scene_data(scene)),
       gpu_scene_(device, data_),
       kind_(kind),
-      settings_(settings) {
-    light_.settings = {1.0 / 60.0, 4};  // what is looked at shines by itself
-}
+      settings_(settings),
+      // What is looked at shines by itself.
+      light_(device, data_, gpu_scene_, {1.0 / 60.0, 4, 0}) {}
 
 Image MapObserver::picture(const Camera& camera, const RenderSettings& settings, std::uint32_t samples) {
     MapRenderer renderer(device_, data_, gpu_scene_, light_, camera, kind_, settings, settings_);

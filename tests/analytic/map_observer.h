@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/light/direct/light_cache.h"
 #include "renderers/methods/map_renderer.h"
 #include "support/estimate.h"
 
@@ -25,7 +26,7 @@ class MapObserver {
     GpuScene gpu_scene_;
     MapKind kind_;
     MapSettings settings_;
-    FilledLight light_;
+    LightCache light_;
     RenderStatistics statistics_;
 };
 

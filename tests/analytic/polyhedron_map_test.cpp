@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // direct/polygon-map with other polyhedra than the cube, and the pieces that polygons are cut into along
 // their faces.
+#include "renderers/light/direct/light_cache.h"
 #include "support/coded_room.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
@@ -94,8 +95,7 @@ class PolyhedronPieces : public DeviceTest, public testing::WithParamInterface<c
     static Cut cut(const Scene& scene, const Camera& eye, const char* solid) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        FilledLight light;
-        light.settings = {1.0 / 60.0, 4};
+        LightCache light(device(), data, gpu_scene, {1.0 / 60.0, 4, 0});
         MapSettings settings = settings_for(solid);
         settings.size = 1;
         settings.samples = 1;

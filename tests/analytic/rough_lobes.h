@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/light/direct/light_cache.h"
 #include "renderers/methods/map_renderer.h"
 #include "support/scenes.h"
 
@@ -72,8 +73,7 @@ void with_rough_maps(Device& device, const Scene& scene, MapKind kind, const Map
                      const Use& use) {
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device, data);
-    FilledLight light;
-    light.settings = {1.0 / 60.0, 4};
+    LightCache light(device, data, gpu_scene, {1.0 / 60.0, 4, 0});
     RenderSettings picture;
     picture.width = picture.height = interop::TILE_SIZE;
     MapRenderer renderer(device, data, gpu_scene, light, look_at({0, 0, 3}, {0, 0, 0}), kind, picture,

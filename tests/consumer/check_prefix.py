@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 HEADERS = ("base/error.h", "base/version.h", "geometry/bvh.h", "gpu/device.h", "interop/scene.h",
-           "scene/scene.h", "renderers/film/film.h", "renderers/methods/ray_tracer.h",
+           "scene/scene.h", "renderers/film/film.h", "renderers/methods/ray_tracer.h", "session/session.h",
            "compare/run_comparison.h")
 
 

@@ -32,7 +32,7 @@ class Degenerate : public DeviceTest {
             Progress progress;
             renderer->prepare(progress);
             for (const Camera& eye : eyes) {
-                renderer->look_from(eye);
+                renderer->set_camera(eye);
                 Film film(device(), settings.width, settings.height, "film");
                 renderer->add_samples(film, 2, progress);
                 check(film.resolve());

@@ -19,11 +19,12 @@ class Determinism : public DeviceTest {
         const GpuScene scene(device(), data);
         RenderSettings settings = kSettings;
         settings.seed = seed;
-        RayTracer tracer(device(), data, scene, everything_camera(), settings);
+        const std::unique_ptr<RayTracer> tracer =
+            make_tracer(device(), data, scene, everything_camera(), settings);
         Film film(device(), settings.width, settings.height, "film");
         Progress progress;
         for (const std::uint32_t count : portions)
-            tracer.add_samples(film, count, progress);
+            tracer->add_samples(film, count, progress);
         EXPECT_EQ(film.samples(), 12u);
         return film.resolve();
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene without reflective surfaces pays nothing for reflection mapping, whatever is asked of it.
+#include "renderers/light/direct/light_cache.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 
@@ -29,8 +30,7 @@ class NoReflection : public DeviceTest {
     static Cost render(MapKind kind, const MapSettings& maps) {
         const SceneData data = prepare_scene_data(without_lobes());
         const GpuScene scene(device(), data);
-        FilledLight light;
-        light.settings = {1.0 / 60.0, 4};
+        LightCache light(device(), data, scene, {1.0 / 60.0, 4, 0});
         const std::uint64_t before = device().memory().current;
         MapRenderer renderer(device(), data, scene, light, everything_camera(), kind, kSettings, maps);
         const std::uint64_t bytes = device().memory().current - before;
@@ -40,7 +40,7 @@ class NoReflection : public DeviceTest {
         renderer.add_samples(film, 2, progress);
         EXPECT_EQ(renderer.reflectors(), nullptr) << "kernels, pipelines and buffers of polygons";
         EXPECT_TRUE(renderer.maps().infos().empty());
-        const std::uint64_t rays = renderer.statistics().prepare_counts.rays - light.counts.rays;
+        const std::uint64_t rays = renderer.statistics().prepare_counts.rays - light.cost().counts.rays;
         return {bytes, rays, film.resolve()};
     }
 };
@@ -66,8 +66,7 @@ TEST_F(NoReflection, CostsNoMapsNoPolygonsAndNoRays) {
 TEST_F(NoReflection, WhileAMirrorCosts) {
     const SceneData data = prepare_scene_data(everything_scene());
     const GpuScene scene(device(), data);
-    FilledLight light;
-    light.settings = {1.0 / 60.0, 4};
+    LightCache light(device(), data, scene, {1.0 / 60.0, 4, 0});
     MapSettings maps;
     maps.size = 8;
     const std::uint64_t before = device().memory().current;
@@ -78,7 +77,7 @@ TEST_F(NoReflection, WhileAMirrorCosts) {
     EXPECT_GT(device().memory().current - before, 2 * small_bytes);
     Progress progress;
     small.prepare(progress);
-    EXPECT_GT(small.statistics().prepare_counts.rays, light.counts.rays);
+    EXPECT_GT(small.statistics().prepare_counts.rays, light.cost().counts.rays);
     EXPECT_NE(small.reflectors(), nullptr);
 }
 

@@ -13,15 +13,16 @@ TEST_F(WarmRenderer, RendersTheSamePictureAgain) {
     const RenderSettings settings{72, 56, 11, 8};
     const SceneData data = prepare_scene_data(everything_scene());
     const GpuScene scene(device(), data);
-    RayTracer tracer(device(), data, scene, everything_camera(), settings);
+    const std::unique_ptr<RayTracer> tracer =
+        make_tracer(device(), data, scene, everything_camera(), settings);
     Film film(device(), settings.width, settings.height, "film");
     Progress progress;
     // The first sample takes many small dispatches, later ones few.
-    tracer.add_samples(film, 8, progress);
+    tracer->add_samples(film, 8, progress);
     const Image cold = film.resolve();
     for (int run = 0; run < 2; ++run) {
         film.clear();
-        tracer.add_samples(film, 8, progress);
+        tracer->add_samples(film, 8, progress);
         EXPECT_TRUE(film.resolve().pixels == cold.pixels);
     }
 }

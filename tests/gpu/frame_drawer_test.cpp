@@ -4,7 +4,7 @@
 
 #include "renderers/film/aov.h"
 #include "renderers/film/frame_camera.h"
-#include "renderers/light/light_cache.h"
+#include "renderers/light/direct/light_cache.h"
 #include "renderers/methods/prepared_maps.h"
 #include "renderers/reflection/maps/reflection_maps.h"
 #include "support/scenes.h"
@@ -42,10 +42,9 @@ class DrawnFrames : public DeviceTest {
     /// A frame without a film, where no samples are asked for.
     static Image draw(const SceneData& data, const GpuScene& gpu_scene, const Camera& camera,
                       std::initializer_list<std::uint32_t> samples) {
-        LightCache cache(device(), data, {kSpacing, 4});
+        LightCache cache(device(), data, gpu_scene, {kSpacing, 4, 0});
         Progress progress;
-        FilledLight light;
-        cache.fill(gpu_scene, 0, all_space(), light, progress);
+        cache.fill(progress);
         MapSettings settings;
         settings.size = 4;
         std::vector<interop::ProxyPlane> planes;

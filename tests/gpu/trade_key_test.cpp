@@ -22,17 +22,16 @@ class TradeKey : public DeviceTest {
     }
     static ComparisonSettings settings() {
         ComparisonSettings settings;
-        settings.methods = all_methods(LightMethod::direct);
+        settings.methods = all_methods(light_methods().front());
         return settings;
     }
     static Camera camera() { return look_at({0, 0, 3}, {0, 0, 0}); }
 
     static std::string key(const Scene& scene, const Camera& eye, const ComparisonSettings& settings,
                            const std::vector<std::string>& options = {}) {
-        const SceneData data = prepare_scene_data(scene);
-        const GpuScene gpu_scene(device(), data);
-        FilledLight light;
-        return trade_key({device(), data, gpu_scene, eye, light}, settings, options).dump();
+        Session session;
+        session.set_scene(scene);
+        return trade_key(session, eye, settings, options).dump();
     }
 };
 

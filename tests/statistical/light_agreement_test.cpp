@@ -3,6 +3,7 @@
 #include "import/gltf.h"
 #include "renderers/film/aov.h"
 #include "renderers/film/frame_camera.h"
+#include "renderers/light/direct/light_cache.h"
 #include "renderers/methods/map_renderer.h"
 #include "renderers/methods/ray_tracer.h"
 #include "support/scenes.h"
@@ -24,7 +25,7 @@ constexpr RenderSettings kPicture{128, 96, 5, 8};
 constexpr std::uint32_t kDrawnSamples = 16;
 constexpr std::uint32_t kTracedSamples = 128;
 /// Twice as far apart as by default, with a quarter of the rays: what holds here holds by default.
-constexpr LightCacheSettings kCoarse{1.0 / 150.0, 16};
+constexpr LightSettings kCoarse{1.0 / 150.0, 16, 0};
 
 /// The bounds that docs/architecture.md states; by default half of them hold.
 constexpr double kMostBias = 0.01;     ///< of the mean, which interpolation keeps and leaks do not
@@ -71,8 +72,7 @@ class LightAgreement : public DeviceTest {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
         const Camera camera = scene.cameras.front();
-        FilledLight light;
-        light.settings = kCoarse;
+        LightCache light(device(), data, gpu_scene, kCoarse);
         MapSettings maps;
         maps.size = maps.samples = 1;  // reflections do not matter here
         MapRenderer renderer(device(), data, gpu_scene, light, camera, MapKind::cube, kPicture, maps);
@@ -81,10 +81,10 @@ class LightAgreement : public DeviceTest {
         Film drawn(device(), kPicture.width, kPicture.height, "drawn film");
         renderer.add_samples(drawn, kDrawnSamples, progress);
 
-        RayTracer tracer(device(), data, gpu_scene, camera, kPicture);
-        tracer.prepare(progress);
+        const std::unique_ptr<RayTracer> tracer = make_tracer(device(), data, gpu_scene, camera, kPicture);
+        tracer->prepare(progress);
         Film traced(device(), kPicture.width, kPicture.height, "traced film");
-        tracer.add_samples(traced, kTracedSamples, progress);
+        tracer->add_samples(traced, kTracedSamples, progress);
 
         const Mask mask = diffuse_mask(data, gpu_scene, camera);
         const Image reference = traced.resolve();

@@ -2,6 +2,7 @@
 // What hybrid looks up is as bright as what it traces, give or take the tolerance: over scenes and random
 // eyes.
 #include "import/gltf.h"
+#include "renderers/light/direct/light_cache.h"
 #include "renderers/methods/map_renderer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
@@ -75,7 +76,7 @@ class RadianceTolerance : public DeviceTest {
     };
 
     /// A sample at the centre of each pixel, with the same light whatever the tolerance.
-    static Views draw(const SceneData& data, const GpuScene& gpu_scene, FilledLight& light,
+    static Views draw(const SceneData& data, const GpuScene& gpu_scene, SurfaceLight& light,
                       const std::vector<Camera>& eyes, Tolerance tolerance) {
         MapSettings settings;
         settings.size = 128;
@@ -90,7 +91,7 @@ class RadianceTolerance : public DeviceTest {
         renderer.prepare(progress);
         Views result;
         for (const Camera& eye : eyes) {
-            renderer.look_from(eye);
+            renderer.set_camera(eye);
             renderer.draw_frame();
             result.views.push_back({renderer.frame(), renderer.predict_errors()});
             Film film(device(), picture.width, picture.height, "traced share");
@@ -120,8 +121,7 @@ class RadianceTolerance : public DeviceTest {
         const Scene scene = with_black_mirrors(original);
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        FilledLight light;
-        light.settings = {1.0 / 60.0, 4};
+        LightCache light(device(), data, gpu_scene, {1.0 / 60.0, 4, 0});
         const std::vector<Camera> eyes = eyes_before_reflectors(scene, data, kEyes, 1);
         const Views truth = draw(data, gpu_scene, light, eyes, {Tolerance::Of::place, 0.0});
         EXPECT_EQ(truth.counts.traced, truth.counts.lookups);
@@ -151,8 +151,7 @@ class RadianceTolerance : public DeviceTest {
     static double traced_share(const Scene& scene, double tolerance) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        FilledLight light;
-        light.settings = {1.0 / 20.0, 4};
+        LightCache light(device(), data, gpu_scene, {1.0 / 20.0, 4, 0});
         const FrameCounts counts = draw(data, gpu_scene, light, {look_at({1, 2.8, 4}, {2, 1.5, 1}, 0.6)},
                                         {Tolerance::Of::radiance, tolerance})
                                        .counts;

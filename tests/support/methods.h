@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/light/direct/light_cache.h"
 #include "renderers/methods/map_renderer.h"
 #include "renderers/methods/planar_renderer.h"
 #include "support/scenes.h"
@@ -39,7 +40,7 @@ class DrawnScene {
     Device& device_;
     SceneData data_;
     GpuScene gpu_scene_;
-    FilledLight light_;
+    LightCache light_;
 };
 
 /// One picture of a scene: see DrawnScene.

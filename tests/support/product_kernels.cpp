@@ -43,8 +43,8 @@
 #include "kernels/reflect_vertices.h"
 #include "kernels/resolve_map.h"
 #include "kernels/sort_polygons.h"
-#include "kernels/trace_cached.h"
 #include "kernels/trace_direct.h"
+#include "kernels/trace_kept.h"
 #include "kernels/trace_rays.h"
 
 namespace utsuri::test {
@@ -92,7 +92,7 @@ std::vector<ProductKernel> product_kernels() {
             {"reflect_vertices", kernels::reflect_vertices},
             {"resolve_map", kernels::resolve_map},
             {"sort_polygons", kernels::sort_polygons},
-            {"trace_cached", kernels::trace_cached},
+            {"trace_kept", kernels::trace_kept},
             {"trace_direct", kernels::trace_direct},
             {"trace_rays", kernels::trace_rays}};
 }

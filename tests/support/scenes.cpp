@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/scenes.h"
 
+#include "renderers/methods/method.h"
 #include "renderers/methods/ray_tracer.h"
 
 #include <glm/geometric.hpp>
@@ -151,16 +152,24 @@ Scene scaled(const Scene& scene, double factor) {
     return result;
 }
 
+std::unique_ptr<RayTracer> make_tracer(Device& device, const SceneData& data, const GpuScene& gpu_scene,
+                                       const Camera& camera, const RenderSettings& settings) {
+    const LightMethod& light = light_methods().front();
+    KeptLight unused(device, data, gpu_scene, light, {});
+    return std::make_unique<RayTracer>(RendererInput{device, data, gpu_scene, light, unused, camera},
+                                       settings);
+}
+
 Traced trace(Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings,
              std::uint32_t samples) {
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device, data);
-    RayTracer tracer(device, data, gpu_scene, camera, settings);
+    const std::unique_ptr<RayTracer> tracer = make_tracer(device, data, gpu_scene, camera, settings);
     Film film(device, settings.width, settings.height, "test film");
     Progress progress;
-    tracer.prepare(progress);
-    tracer.add_samples(film, samples, progress);
-    return {film.resolve(), tracer.statistics()};
+    tracer->prepare(progress);
+    tracer->add_samples(film, samples, progress);
+    return {film.resolve(), tracer->statistics()};
 }
 
 }  // namespace utsuri::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/methods/ray_tracer.h"
 #include "renderers/methods/renderer.h"
 #include "renderers/scene/scene_data.h"
 
@@ -35,6 +36,10 @@ Camera look_at(glm::dvec3 eye, glm::dvec3 target, double vertical_fov = 0.785398
 
 /// All lengths times `factor`, intensities of punctual lights times its square: the same picture.
 Scene scaled(const Scene& scene, double factor);
+
+/// A tracer that lights surfaces anew where rays meet them.
+std::unique_ptr<RayTracer> make_tracer(Device& device, const SceneData& data, const GpuScene& gpu_scene,
+                                       const Camera& camera, const RenderSettings& settings);
 
 /// Renders direct/trace.
 struct Traced {

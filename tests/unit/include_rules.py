@@ -19,7 +19,7 @@ SOURCE_FOLDERS = ["src", "shaders", "tests", "benchmarks", "scenes", "cmake", "s
 # Libraries beyond the standard one, and the folders that may see them; every folder may see those of ANYWHERE.
 ANYWHERE = {"glm", "fmt"}
 LIBRARIES = {
-    "vulkan": {"gpu", "renderers"},
+    "vulkan": {"gpu", "renderers", "session"},
     "OpenImageIO": {"image_io"},
     "tiny_gltf.h": {"import"},
     "nlohmann": {"import", "compare", "cli"},
@@ -122,7 +122,7 @@ FAULTS = [
     (source_problem, "scene/scene.h", '#include "gpu/device.h"'),
     (source_problem, "scene/scene.h", '#include "image/image.h"'),
     (source_problem, "renderers/scene/gpu_scene.h", '#include "renderers/film/film.h"'),
-    (source_problem, "renderers/light/light_cache.h", '#include "renderers/methods/renderer.h"'),
+    (source_problem, "renderers/light/direct/light_cache.h", '#include "renderers/methods/renderer.h"'),
     (source_problem, "renderers/reflection/maps/map_size.h", '#include "renderers/reflection/raster/reflector_drawer.h"'),
     (source_problem, "renderers/reflection/planar/image_drawer.h", '#include "renderers/reflection/maps/map_size.h"'),
     (source_problem, "renderers/methods/renderer.h", '#include "import/gltf.h"'),

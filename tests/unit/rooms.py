@@ -19,7 +19,7 @@ def reflection(*names):
 
 BELOW_REFLECTION = CORE + ["renderers/scene", "renderers/film"]
 ALL_REFLECTION = reflection("reflectors", "proxies", "maps", "distances", "glossy", "raster", "planar")
-RENDERERS = ["renderers/scene", "renderers/film", "renderers/light"] + ALL_REFLECTION + ["renderers/methods"]
+RENDERERS = ["renderers/scene", "renderers/film", "renderers/light"] + ALL_REFLECTION + ["renderers/methods", "session"]
 
 SOURCE_ROOMS = [
     Room("base", "errors, checks, files, progress, the host's copy of the sampler", []),
@@ -29,7 +29,7 @@ SOURCE_ROOMS = [
     Room("gpu", "Vulkan: device choice, buffers, kernels, timestamps, dispatch budget; knows nothing of rays", ["base"]),
     Room("renderers/scene", "the scene as devices read it: prepared, uploaded, followed through changes", CORE),
     Room("renderers/film", "sums of samples, the loop over them, what is counted, first hits", CORE + ["renderers/scene"]),
-    Room("renderers/light", "light that surfaces send out, kept on them", BELOW_REFLECTION),
+    Room("renderers/light", "light that surfaces send out, kept on them, and each light method", BELOW_REFLECTION),
     Room(REFLECTION + "reflectors", "what reflects, and the points that maps are captured from", CORE + ["renderers/scene"]),
     Room(REFLECTION + "proxies", "boxes and polyhedra that stand in for the surroundings", CORE + ["renderers/scene"]),
     Room(REFLECTION + "maps", "polyhedra of maps, captured when looked up, forgotten when what they see changes",
@@ -42,6 +42,8 @@ SOURCE_ROOMS = [
     Room(REFLECTION + "planar", "plane mirrors and their images", BELOW_REFLECTION + reflection("reflectors", "raster")),
     Room("renderers/methods", "light x reflection: the list of methods, and what renders each",
          CORE + ["renderers/scene", "renderers/film", "renderers/light"] + ALL_REFLECTION),
+    Room("session", "the library's front door: a device, a scene on it, pictures of it",
+         CORE + ["renderers/scene", "renderers/film", "renderers/light", "renderers/methods"]),
     Room("image_io", "pictures in files: OpenImageIO, nowhere else", ["base", "image", "scene/texture.h"]),
     Room("import", "glTF to Scene; the only room that sees the glTF parser", SCENE + ["image_io"]),
     Room("compare", "comparison, trade of time for error, their tables, .json and .html",

@@ -24,9 +24,8 @@ vec3 measure(vec2 place) {
     Hit hit = closest_hit(make_ray(push.capture_point, direction, NONE, push.excluded_instance));
     if (hit.triangle == NONE) return HAS_ENVIRONMENT ? lights[ENVIRONMENT_LIGHT].intensity : vec3(0.0);
     Surface surface = make_surface(hit, direction);
-    bool front = dot(surface.ng, triangle_cross(bvh_triangles[hit.triangle])) > 0.0;
     vec3 albedo = surface.base_colour * (1.0 - surface.metallic);
-    return surface.emission + albedo * cached_light(cache_triangles[hit.triangle], vec2(hit.b1, hit.b2), front);
+    return surface.emission + albedo * kept_light(light_record(hit.triangle), vec2(hit.b1, hit.b2), surface.front);
 }
 
 void main() {

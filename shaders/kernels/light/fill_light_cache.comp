@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "interop/light_cache.h"
 #include "kernels/film/counters.glsl"
-#include "kernels/light/lattices.glsl"
+#include "kernels/light/light_records.glsl"
 #include "kernels/scene/direct_light.glsl"
 #include "lib/lattice.glsl"
 #include "lib/light_reach.glsl"

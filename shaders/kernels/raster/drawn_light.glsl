@@ -41,8 +41,7 @@ Surface drawn_surface() {
 
 /// What the surface's diffuse part would send out if it were white, before anything is lost to a specular lobe.
 vec3 drawn_diffuse_light(Surface surface) {
-    LightCacheTriangle lattice = LightCacheTriangle(drawn_cache.x, drawn_cache.y, drawn_cache.z, drawn_cache.w);
-    return cached_light(lattice, drawn_place.xy, dot(surface.ng, drawn_ng) > 0.0);
+    return kept_light(drawn_light_record, drawn_place.xy, surface.front);
 }
 
 /// The rough lobe's highlights of lights without extent. One is taken by what it would bring, so that noise is only where

@@ -3,7 +3,7 @@
 #ifndef UTSURI_KERNELS_RASTER_DRAWN_TRIANGLE
 #define UTSURI_KERNELS_RASTER_DRAWN_TRIANGLE
 
-#include "kernels/light/lattices.glsl"
+#include "kernels/light/light_records.glsl"
 #include "kernels/raster/drawn_surface.glsl"
 #include "kernels/scene/surface.glsl"
 
@@ -17,8 +17,7 @@ void set_drawn_triangle(uint triangle, vec2 b) {
     drawn_colour = vec4(material.base_colour, material.metallic);
     drawn_emissive = material.emissive;
     drawn_lobe = vec4(material.roughness, material.dielectric_f0, material.dielectric_f90, material.ior);
-    LightCacheTriangle lattice = cache_triangles[triangle];
-    drawn_cache = uvec4(lattice.first_point, lattice.intervals, lattice.rows_per_interval, lattice.apex);
+    drawn_light_record = light_record(triangle);
     drawn_ids = uvec4(triangle, info.material, material.double_sided, NONE);
     drawn_reflection = vec3(0.0);
 }

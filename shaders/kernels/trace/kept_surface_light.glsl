@@ -11,9 +11,8 @@ vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint
     if (HAS_GLOSSY && is_glossy(surface)) {
         return direct_light(surface, wo, key, index, dimension, excluded_instance, rays);
     }
-    bool front = dot(surface.ng, triangle_cross(bvh_triangles[hit.triangle])) > 0.0;
     return diffuse_reflectance(surface, abs(dot(surface.ns, wo))) *
-           cached_light(cache_triangles[hit.triangle], vec2(hit.b1, hit.b2), front);
+           kept_light(light_record(hit.triangle), vec2(hit.b1, hit.b2), surface.front);
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include "gpu/kernel.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 namespace utsuri {
@@ -27,8 +28,9 @@ class FilmKernel {
   public:
     FilmKernel(Device& device, const std::string& name, std::span<const std::uint32_t> spirv,
                const Specialization& specialization, Bindings bindings);
-    FilmKernel(const FilmKernel&) = delete;
-    FilmKernel& operator=(const FilmKernel&) = delete;
+    FilmKernel(FilmKernel&& other) noexcept;
+    FilmKernel& operator=(FilmKernel&& other) noexcept;
+    ~FilmKernel();
 
     /// Compiles the pipeline for real (drivers put that off until the first dispatch), without adding
     /// samples.
@@ -49,7 +51,7 @@ class FilmKernel {
     Device* device_;
     Kernel kernel_;
     Bindings bindings_;
-    Buffer counters_;
+    std::unique_ptr<Buffer> counters_;  ///< at one place, whose address bindings_ keep
     DispatchBudget budget_;
 };
 

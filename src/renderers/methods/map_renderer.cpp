@@ -23,7 +23,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
+MapRenderer::MapRenderer(Device& device, const SceneData& data, const GpuScene& scene, SurfaceLight& light,
                          const Camera& camera, MapKind kind, const RenderSettings& settings,
                          const MapSettings& map_settings)
     : device_(device),
@@ -73,9 +73,11 @@ void MapRenderer::prepare(Progress& progress) {
         camera_, [&](const glm::vec2& jitter) { draw_at(jitter); }, statistics_, progress);
 }
 
-void MapRenderer::follow(const SceneChange& change, Progress& progress) {
+void MapRenderer::update(const SceneChange& change, Progress& progress) {
     restart_statistics();
     if (change.empty()) return;
+    // May put other buffers in the place of those that drawing reads.
+    light_.update(change, progress);
     // What draws reads buffers of the maps.
     prediction_drawer_.reset();
     drawer_.reset();
@@ -83,11 +85,11 @@ void MapRenderer::follow(const SceneChange& change, Progress& progress) {
     const std::unique_ptr<PreparedMaps> former = std::move(prepared_);
     make_drawers(former.get());
     warm_up();
-    prepared_->follow(
+    prepared_->update(
         change, camera_, [&](const glm::vec2& jitter) { draw_at(jitter); }, statistics_, progress);
 }
 
-void MapRenderer::look_from(const Camera& camera) {
+void MapRenderer::set_camera(const Camera& camera) {
     camera_ = camera;
     eye_moved_ = true;
 }

@@ -17,17 +17,17 @@ namespace utsuri {
 class MapRenderer : public Renderer {
   public:
     /// `device`, `data`, `scene` and `light` must outlive this.
-    /// @param light is filled by the first renderer that needs it
-    MapRenderer(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
+    /// @param light is filled by the first renderer that needs it; its cost counts for each
+    MapRenderer(Device& device, const SceneData& data, const GpuScene& scene, SurfaceLight& light,
                 const Camera& camera, MapKind kind, const RenderSettings& settings,
                 const MapSettings& map_settings);
 
     void prepare(Progress& progress) override;
-    void follow(const SceneChange& change, Progress& progress) override;
+    void update(const SceneChange& change, Progress& progress) override;
 
     /// Moves the eye: all that it costs is the pass over the reflectors' vertices and the drawing. A sphere
     /// map stays turned the way the first eye looked, until the scene changes.
-    void look_from(const Camera& camera) override;
+    void set_camera(const Camera& camera) override;
     bool draw_frame() override;
     /// What draw_frame() drew.
     [[nodiscard]] Image frame() const { return drawer_->frame(); }
@@ -69,7 +69,7 @@ class MapRenderer : public Renderer {
     RenderSettings settings_;
     MapSettings map_settings_;
     MapKind kind_;
-    FilledLight& light_;
+    SurfaceLight& light_;
     std::unique_ptr<PreparedMaps> prepared_;
     std::unique_ptr<ReflectorDrawer> reflectors_;
     std::unique_ptr<FrameDrawer> drawer_;

@@ -1,70 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/light/light_cache.h"
-#include "renderers/methods/renderer.h"
-#include "renderers/reflection/maps/reflection_maps.h"
+#include "renderers/light/light.h"
+#include "renderers/methods/reflection.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace utsuri {
 
-/// What light is simulated at diffuse surfaces.
-enum class LightMethod { direct };
+/// All there are, in the order of reports. The objects last as long as the program.
+std::span<const LightMethod> light_methods();
+std::span<const ReflectionMethod> reflection_methods();
 
-/// How the light arriving along a specular direction is found.
-enum class ReflectionMethod {
-    trace,
-    polygon_map,
-    sphere_map,
-    cube_map,
-    proxy_map,
-    distance_map,
-    planar,
-    hybrid
-};
+/// @throws UsageError that lists the names there are
+const LightMethod& find_light(std::string_view name);
+const ReflectionMethod& find_reflection(std::string_view name);
 
 /// A point on the two axes, written "direct/polygon-map".
 struct Method {
-    LightMethod light = LightMethod::direct;
-    ReflectionMethod reflection = ReflectionMethod::trace;
+    const LightMethod* light = &light_methods().front();
+    const ReflectionMethod* reflection = &reflection_methods().front();
 
     friend bool operator==(const Method&, const Method&) = default;
 };
 
-std::string_view to_string(LightMethod light);
-std::string_view to_string(ReflectionMethod reflection);
 std::string method_name(const Method& method);
 
-/// @throws UsageError that lists the names there are
-LightMethod parse_light(std::string_view name);
-ReflectionMethod parse_reflection(std::string_view name);
+/// By the names of its two sides.
+/// @throws UsageError as above
+Method find_method(std::string_view light, std::string_view reflection);
 
-/// Every method on a light axis, in the order of reports.
-std::vector<Method> all_methods(LightMethod light);
+/// Every method with a light, in the order of reports.
+std::vector<Method> all_methods(const LightMethod& light);
 
-/// Whether a method looks reflections up in maps; `planar` does those of mirrors that are not plane.
-bool uses_maps(const Method& method);
-
-/// Whether a method tells the errors of its reflections: Renderer::predict_errors().
-bool tells_errors(const Method& method);
-
-/// Whether a method looks maps up at some pixels and traces others: Renderer::traced_pixels().
-bool chooses_per_pixel(const Method& method);
-
-/// What a picture is made from. Everything must outlive the renderer.
-struct RenderInput {
-    Device& device;
-    const SceneData& data;
-    const GpuScene& scene;
-    const Camera& camera;
-    FilledLight& light;  ///< filled by the first renderer that needs it
-};
-
-std::unique_ptr<Renderer> make_renderer(const Method& method, const RenderInput& input,
+/// @param input of the method's light
+std::unique_ptr<Renderer> make_renderer(const Method& method, const RendererInput& input,
                                         const RenderSettings& settings, const MapSettings& maps);
+
+/// The names of an axis for help texts: "trace (rays followed), cube-map (...)".
+std::string list_lights();
+std::string list_reflections();
 
 }  // namespace utsuri

@@ -63,7 +63,7 @@ float mirrored_distance(const SceneData& data, const interop::CameraInfo& camera
 }  // namespace
 
 PlanarRenderer::PlanarRenderer(Device& device, const SceneData& data, const GpuScene& scene,
-                               FilledLight& light, const Camera& camera, MapKind kind,
+                               SurfaceLight& light, const Camera& camera, MapKind kind,
                                const RenderSettings& settings, const MapSettings& map_settings)
     : device_(device),
       data_(data),
@@ -74,7 +74,7 @@ PlanarRenderer::PlanarRenderer(Device& device, const SceneData& data, const GpuS
       map_settings_(map_settings),
       light_(light) {
     make_drawers(nullptr);
-    look_from(camera);
+    set_camera(camera);
 }
 
 void PlanarRenderer::make_drawers(PreparedMaps* former) {
@@ -109,22 +109,24 @@ void PlanarRenderer::prepare(Progress& progress) {
         camera_, [&](const glm::vec2& jitter) { draw_at(jitter); }, statistics_, progress);
 }
 
-void PlanarRenderer::follow(const SceneChange& change, Progress& progress) {
+void PlanarRenderer::update(const SceneChange& change, Progress& progress) {
     restart_statistics();
     if (change.empty()) return;
+    // May put other buffers in the place of those that drawing reads.
+    light_.update(change, progress);
     // What draws reads buffers of the maps.
     prediction_drawer_.reset();
     curved_.reset();
     drawer_.reset();
     const std::unique_ptr<PreparedMaps> former = std::move(prepared_);
     make_drawers(former.get());
-    look_from(camera_);
+    set_camera(camera_);
     warm_up();
-    prepared_->follow(
+    prepared_->update(
         change, camera_, [&](const glm::vec2& jitter) { draw_at(jitter); }, statistics_, progress);
 }
 
-void PlanarRenderer::look_from(const Camera& camera) {
+void PlanarRenderer::set_camera(const Camera& camera) {
     camera_ = camera;
     Camera in_scene = camera;
     in_scene.position -= data_.origin;

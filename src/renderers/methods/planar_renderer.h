@@ -18,15 +18,15 @@ namespace utsuri {
 class PlanarRenderer : public Renderer {
   public:
     /// `device`, `data`, `scene` and `light` must outlive this.
-    /// @param light is filled by the first renderer that needs it
+    /// @param light is filled by the first renderer that needs it; its cost counts for each
     /// @param kind of the maps: proxy, or hybrid with a tolerance of place
-    PlanarRenderer(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
+    PlanarRenderer(Device& device, const SceneData& data, const GpuScene& scene, SurfaceLight& light,
                    const Camera& camera, MapKind kind, const RenderSettings& settings,
                    const MapSettings& map_settings);
 
     void prepare(Progress& progress) override;
-    void follow(const SceneChange& change, Progress& progress) override;
-    void look_from(const Camera& camera) override;
+    void update(const SceneChange& change, Progress& progress) override;
+    void set_camera(const Camera& camera) override;
     bool draw_frame() override;
 
     /// Of MapKind::hybrid only. Plane mirrors show what rays would, and nothing off its place; what their
@@ -62,7 +62,7 @@ class PlanarRenderer : public Renderer {
     MapKind kind_;
     RenderSettings settings_;
     MapSettings map_settings_;
-    FilledLight& light_;
+    SurfaceLight& light_;
     PlaneMirrors mirrors_;
     std::unique_ptr<PreparedMaps> prepared_;
     std::unique_ptr<PlanarDrawer> drawer_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/methods/prepared_maps.h"
 
-#include "renderers/light/light_reach.h"
 #include "renderers/reflection/raster/reflector_drawer.h"
 
 #include "interop/bindings.h"
@@ -50,13 +49,13 @@ RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps) {
     return {size, maps.samples, maps.capture_point, most_probes, kind, maps.proxy};
 }
 
-PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
+PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, SurfaceLight& light,
                            const Camera& eye, MapKind kind, const RenderSettings& settings,
                            const MapSettings& map_settings, const std::vector<std::uint32_t>& instances,
                            PreparedMaps* former)
     : data_(data),
       scene_(scene),
-      filled_light_(light),
+      light_(light),
       settings_(settings),
       kind_(kind),
       maps_(device, data, kind, map_settings, {eye, settings.width, settings.height}, proxy_planes_,
@@ -66,8 +65,7 @@ PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene
       rough_maps_(device, data, rough_map_settings(kind, map_settings), proxy_planes_),
       proxy_plane_buffer_(make_buffer<interop::ProxyPlane>(device, proxy_planes_, "planes of proxies")),
       frame_(device, sizeof(interop::FrameInfo), "frame"),
-      light_cache_(device, data, light.settings),
-      capture_(device, scene, light_cache_, maps_, settings, map_settings) {
+      capture_(device, scene, light, maps_, settings, map_settings) {
     if (former == nullptr) return;
     maps_.take_over(former->maps_);
     if (distances_ && former->distances_) distances_->take_over(*former->distances_);
@@ -76,20 +74,18 @@ PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene
 
 void PreparedMaps::prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
                            RenderStatistics& statistics, Progress& progress) {
-    light_cache_.fill(scene_, settings_.seed, all_space(), filled_light_, progress);
+    light_.fill(progress);
     count_light(statistics);
     capture(eye, draw, statistics, progress);
 }
 
-void PreparedMaps::follow(const SceneChange& change, const Camera& eye,
+void PreparedMaps::update(const SceneChange& change, const Camera& eye,
                           const std::function<void(const glm::vec2& jitter)>& draw,
                           RenderStatistics& statistics, Progress& progress) {
     const bool lit_otherwise = change.geometry || change.lights;
-    const ChangedSpace changed = change.lights ? all_space() : changed_space(data_, change);
-    light_cache_.fill(scene_, settings_.seed, changed, filled_light_, progress);
+    light_.update(change, progress);
     if (lit_otherwise) count_light(statistics);
-    const SeenChanges changes(data_, change,
-                              lit_otherwise ? filled_light_.changed : std::vector<std::uint32_t>());
+    const SeenChanges changes(data_, change, lit_otherwise ? light_.changed() : std::vector<std::uint32_t>());
     maps_.forget(changes);
     if (distances_) distances_->forget(changes);
     if (radiance_bounds_) radiance_bounds_->forget(changes);
@@ -97,9 +93,9 @@ void PreparedMaps::follow(const SceneChange& change, const Camera& eye,
 }
 
 void PreparedMaps::count_light(RenderStatistics& statistics) const {
-    statistics.prepare_seconds += filled_light_.seconds;
-    statistics.compile_seconds += filled_light_.compile_seconds;
-    accumulate(statistics.prepare_counts, filled_light_.counts);
+    statistics.prepare_seconds += light_.cost().seconds;
+    statistics.compile_seconds += light_.cost().compile_seconds;
+    accumulate(statistics.prepare_counts, light_.cost().counts);
 }
 
 void PreparedMaps::capture(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
@@ -107,10 +103,10 @@ void PreparedMaps::capture(const Camera& eye, const std::function<void(const glm
     FrameCounts& counts = statistics.prepare_counts;
     const auto start = std::chrono::steady_clock::now();
     double compile_seconds = 0.0;
-    accumulate(counts, rough_maps_.capture(scene_, light_cache_, settings_, compile_seconds, progress));
+    accumulate(counts, rough_maps_.capture(scene_, light_, settings_, compile_seconds, progress));
     if (distances_) accumulate(counts, distances_->capture(scene_, compile_seconds, progress));
     if (radiance_bounds_)
-        accumulate(counts, radiance_bounds_->capture(scene_, light_cache_, compile_seconds, progress));
+        accumulate(counts, radiance_bounds_->capture(scene_, light_, compile_seconds, progress));
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     statistics.prepare_seconds += seconds - compile_seconds;
     statistics.compile_seconds += compile_seconds;
@@ -119,7 +115,7 @@ void PreparedMaps::capture(const Camera& eye, const std::function<void(const glm
 
 Bindings PreparedMaps::bindings() const {
     Bindings bindings = scene_.bindings();
-    bindings.merge(light_cache_.bindings());
+    bindings.merge(light_.bindings());
     bindings.merge(maps_.bindings());
     bindings.merge(rough_maps_.bindings());
     bindings[interop::BINDING_PROXY_PLANES] = &proxy_plane_buffer_;

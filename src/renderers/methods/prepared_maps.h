@@ -3,7 +3,7 @@
 
 #include "renderers/film/render_settings.h"
 #include "renderers/film/render_statistics.h"
-#include "renderers/light/light_cache.h"
+#include "renderers/light/surface_light.h"
 #include "renderers/reflection/distances/distance_maps.h"
 #include "renderers/reflection/distances/radiance_bounds.h"
 #include "renderers/reflection/glossy/rough_maps.h"
@@ -27,9 +27,9 @@ class PreparedMaps {
     /// @param light is filled by the first that needs it; its cost counts as if it had been filled here
     /// @param eye the first one
     /// @param instances that get reflection maps, ascending
-    /// @param former of the scene before it changed: what they are and follow() need not make anew is taken
+    /// @param former of the scene before it changed: what they are and update() need not make anew is taken
     /// over from them
-    PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, FilledLight& light,
+    PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, SurfaceLight& light,
                  const Camera& eye, MapKind kind, const RenderSettings& settings,
                  const MapSettings& map_settings, const std::vector<std::uint32_t>& instances,
                  PreparedMaps* former = nullptr);
@@ -44,7 +44,7 @@ class PreparedMaps {
                  RenderStatistics& statistics, Progress& progress);
     /// The same after a change of the scene that these were made with `former` maps for: makes those anew
     /// that see something of the change, and of reflection maps those that the present view looks up.
-    void follow(const SceneChange& change, const Camera& eye,
+    void update(const SceneChange& change, const Camera& eye,
                 const std::function<void(const glm::vec2& jitter)>& draw, RenderStatistics& statistics,
                 Progress& progress);
     /// See MapCapture::complete().
@@ -68,7 +68,7 @@ class PreparedMaps {
 
     const SceneData& data_;
     const GpuScene& scene_;
-    FilledLight& filled_light_;
+    SurfaceLight& light_;
     RenderSettings settings_;
     MapKind kind_;
     std::vector<interop::ProxyPlane> proxy_planes_;  ///< of reflection maps, then of rough ones
@@ -78,7 +78,6 @@ class PreparedMaps {
     RoughMaps rough_maps_;
     Buffer proxy_plane_buffer_;
     Buffer frame_;  ///< interop::FrameInfo, written by what draws
-    LightCache light_cache_;
     MapCapture capture_;
 };
 

@@ -3,31 +3,54 @@
 
 #include "renderers/film/frame_camera.h"
 
-#include "kernels/trace_direct.h"
+#include "kernels/trace_kept.h"
 
 #include <algorithm>
 
 namespace utsuri {
 
-RayTracer::RayTracer(Device& device, const SceneData& data, const GpuScene& scene, const Camera& camera,
-                     const RenderSettings& settings)
-    : device_(device),
-      data_(data),
+RayTracer::RayTracer(const RendererInput& input, const RenderSettings& settings)
+    : device_(input.device),
+      data_(input.data),
+      scene_(input.scene),
+      light_(input.light),
+      kept_light_(settings.kept_light ? &input.kept_light.get() : nullptr),
       settings_(settings),
-      frame_{{}, settings.seed, std::min(settings.specular_depth, scene.specular_depth()), interop::NONE},
-      kernel_(device, "trace_direct", kernels::trace_direct, scene.specialization(), scene.bindings()) {
-    look_from(camera);
+      frame_{
+          {}, settings.seed, std::min(settings.specular_depth, input.scene.specular_depth()), interop::NONE},
+      kernel_(make_kernel()) {
+    set_camera(input.camera);
 }
 
-void RayTracer::follow(const SceneChange&, Progress&) {
+FilmKernel RayTracer::make_kernel() const {
+    Bindings bindings = scene_.bindings();
+    if (kept_light_ == nullptr) {
+        return FilmKernel(device_, std::string(light_.kernel_name), light_.kernel, scene_.specialization(),
+                          std::move(bindings));
+    }
+    bindings.merge(kept_light_->bindings());
+    return FilmKernel(device_, "trace_kept", kernels::trace_kept, scene_.specialization(),
+                      std::move(bindings));
+}
+
+void RayTracer::update(const SceneChange& change, Progress& progress) {
     restart_statistics();
+    if (kept_light_ == nullptr || change.empty()) return;
+    kept_light_->update(change, progress);
+    if (change.geometry || change.lights) count_light(kept_light_->cost());
+    // The light may lie in other buffers now.
+    kernel_ = make_kernel();
 }
 
-void RayTracer::look_from(const Camera& camera) {
+void RayTracer::set_camera(const Camera& camera) {
     frame_.camera = make_camera_info(camera, data_.origin, settings_.width, settings_.height);
 }
 
-void RayTracer::prepare(Progress&) {
+void RayTracer::prepare(Progress& progress) {
+    if (kept_light_ != nullptr) {
+        kept_light_->fill(progress);
+        count_light(kept_light_->cost());
+    }
     Film scratch(device_, interop::TILE_SIZE, interop::TILE_SIZE, "warm-up film");
     statistics_.compile_seconds += kernel_.warm_up(scratch);
 }

@@ -3,28 +3,31 @@
 
 #include "renderers/film/film_kernel.h"
 #include "renderers/methods/renderer.h"
-#include "renderers/scene/gpu_scene.h"
+#include "renderers/methods/renderer_input.h"
 
 namespace utsuri {
 
-/// direct/trace: direct light with shadows, mirrors and rough lobes followed ray by ray.
+/// Follows every reflection ray by ray. Surfaces are lit anew where rays meet them, or, with
+/// RenderSettings::kept_light, from the light kept on them, as drawn pictures are.
 class RayTracer : public Renderer {
   public:
-    /// `device`, `data` and `scene` must outlive this.
-    RayTracer(Device& device, const SceneData& data, const GpuScene& scene, const Camera& camera,
-              const RenderSettings& settings);
+    RayTracer(const RendererInput& input, const RenderSettings& settings);
 
     void prepare(Progress& progress) override;
-    /// Keeps nothing of the scene but its buffers.
-    void follow(const SceneChange& change, Progress& progress) override;
-    void look_from(const Camera& camera) override;
+    void update(const SceneChange& change, Progress& progress) override;
+    void set_camera(const Camera& camera) override;
 
   protected:
     FrameCounts render(Film& film, std::uint32_t count, Progress& progress) override;
 
   private:
+    [[nodiscard]] FilmKernel make_kernel() const;
+
     Device& device_;
     const SceneData& data_;
+    const GpuScene& scene_;
+    const LightMethod& light_;
+    SurfaceLight* kept_light_;  ///< with RenderSettings::kept_light
     RenderSettings settings_;
     FrameSettings frame_;
     FilmKernel kernel_;

@@ -12,6 +12,12 @@ void Renderer::restart_statistics() {
     statistics_ = statistics;
 }
 
+void Renderer::count_light(const LightCost& cost) {
+    statistics_.prepare_seconds += cost.seconds;
+    statistics_.compile_seconds += cost.compile_seconds;
+    accumulate(statistics_.prepare_counts, cost.counts);
+}
+
 void Renderer::add_samples(Film& film, std::uint32_t count, Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     accumulate(statistics_.counts, render(film, count, progress));

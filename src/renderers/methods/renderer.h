@@ -4,6 +4,7 @@
 #include "renderers/film/film.h"
 #include "renderers/film/render_settings.h"
 #include "renderers/film/render_statistics.h"
+#include "renderers/light/surface_light.h"
 #include "renderers/reflection/raster/reflection_error.h"
 #include "renderers/scene/scene_change.h"
 
@@ -27,15 +28,15 @@ class Renderer {
     /// Captures maps, compiles pipelines: all that is done once before the first sample.
     /// @throws Interrupted if progress says so
     virtual void prepare(Progress& progress) = 0;
-    /// Follows a change of the scene, after update_scene_data() and GpuScene::update(): makes anew what was
-    /// prepared and the change touches. Pictures are then those of a renderer made for the scene as it is.
-    /// statistics() start anew with what that took. prepare() comes first; every renderer follows every
-    /// change.
+    /// Takes over a change of the scene, after update_scene_data() and GpuScene::update(): makes anew what
+    /// was prepared and the change touches. Pictures are then those of a renderer made for the scene as it
+    /// is. statistics() start anew with what that took. prepare() comes first; every renderer is told of
+    /// every change.
     /// @throws Interrupted if progress says so; after this and any other exception the renderer must not be
     /// used
-    virtual void follow(const SceneChange& change, Progress& progress) = 0;
+    virtual void update(const SceneChange& change, Progress& progress) = 0;
     /// Moves the eye; what was prepared stays.
-    virtual void look_from(const Camera& camera) = 0;
+    virtual void set_camera(const Camera& camera) = 0;
     /// Adds `count` samples to each pixel of the film, or fewer if progress says so. The same picture results
     /// from any split of the samples over calls. prepare() comes first.
     void add_samples(Film& film, std::uint32_t count, Progress& progress);
@@ -58,6 +59,8 @@ class Renderer {
   protected:
     /// Of the maps only, until something adds to the rest.
     void restart_statistics();
+    /// As if the light had been simulated for this renderer alone.
+    void count_light(const LightCost& cost);
     virtual FrameCounts render(Film& film, std::uint32_t count, Progress& progress) = 0;
 
     RenderStatistics statistics_;

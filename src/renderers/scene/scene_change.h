@@ -17,6 +17,7 @@ struct SceneChange {
     /// became diffuse or ceased to be.
     bool lights = false;
     bool surroundings = false;  ///< the uniform surroundings shine otherwise
+    bool rebuilt = false;
 
     [[nodiscard]] bool empty() const { return triangles.empty() && !lights && !surroundings; }
 };

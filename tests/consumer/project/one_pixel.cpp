@@ -2,11 +2,10 @@
 // Renders one pixel through the installed library and compares it with its closed form: a Lambert surface of
 // albedo a under a directional light of E lux that arrives at angle t from the normal has the luminance a /
 // pi * E * cos t.
-#include "renderers/methods/ray_tracer.h"
-#include "renderers/scene/gpu_scene.h"
 
 #include "base/version.h"
-#include "gpu/device.h"
+
+#include "session/session.h"
 
 #include <fmt/format.h>
 
@@ -50,28 +49,41 @@ utsuri::Scene lit_floor() {
     return scene;
 }
 
-double render_pixel(utsuri::Device& device) {
-    const utsuri::Scene scene = lit_floor();
-    const utsuri::SceneData data = utsuri::prepare_scene_data(scene);
-    const utsuri::GpuScene gpu_scene(device, data);
-    utsuri::RenderSettings settings;
-    settings.width = 1;
-    settings.height = 1;
-    utsuri::RayTracer tracer(device, data, gpu_scene, scene.cameras.front(), settings);
-    utsuri::Film film(device, 1, 1, "pixel");
-    utsuri::Progress silent;
-    tracer.prepare(silent);
-    tracer.add_samples(film, 1, silent);
-    return static_cast<double>(film.resolve().pixels.front().y);
+/// Whether a picture of one pixel has the luminance of the floor with an albedo, cd/m2.
+bool shows(utsuri::Picture& picture, double albedo, const char* name) {
+    picture.add_samples(1);
+    const double expected = albedo * std::numbers::inv_pi * kIlluminance * std::cos(kAngle);
+    const double value = static_cast<double>(picture.image().pixels.front().y);
+    fmt::print("utsuri {}, {}: {} cd/m2, expected {}\n", utsuri::kVersion, name, value, expected);
+    return std::abs(value - expected) <= kTolerance * expected;
+}
+
+utsuri::Picture make_pixel(utsuri::Session& session, const utsuri::Scene& scene, const char* reflection) {
+    utsuri::PictureSettings settings;
+    settings.method = utsuri::find_method("direct", reflection);
+    settings.camera = scene.cameras.front();
+    settings.render.width = 1;
+    settings.render.height = 1;
+    return session.make_picture(settings);
 }
 
 }  // namespace
 
 int main() {
-    const utsuri::VulkanInstance instance;
-    utsuri::Device device(instance, "");
-    const double expected = kAlbedo * std::numbers::inv_pi * kIlluminance * std::cos(kAngle);
-    const double value = render_pixel(device);
-    fmt::print("utsuri {}: {} cd/m2, expected {}\n", utsuri::kVersion, value, expected);
-    return std::abs(value - expected) <= kTolerance * expected ? 0 : 1;
+    utsuri::Scene scene = lit_floor();
+    utsuri::Session session;
+    session.set_scene(scene);
+    utsuri::Picture traced = make_pixel(session, scene, "trace");
+    utsuri::Picture drawn = make_pixel(session, scene, "hybrid");
+    bool as_expected = shows(traced, kAlbedo, "traced") && shows(drawn, kAlbedo, "drawn");
+
+    scene.materials.front().base_colour *= 0.5f;
+    as_expected &= session.set_scene(scene) == utsuri::SceneUpdate::updated;
+    as_expected &= shows(traced, 0.5 * kAlbedo, "traced, recoloured");
+    as_expected &= shows(drawn, 0.5 * kAlbedo, "drawn, recoloured");
+
+    scene.lights.clear();
+    as_expected &= session.set_scene(scene) == utsuri::SceneUpdate::rebuilt;
+    as_expected &= shows(traced, 0.0, "traced, light off") && shows(drawn, 0.0, "drawn, light off");
+    return as_expected ? 0 : 1;
 }

@@ -178,8 +178,7 @@ TEST(ComparisonTable, NothingWasFinished) {
 TEST(ComparisonTable, SaysWhyAMethodIsMissing) {
     Comparison comparison = small_comparison();
     EXPECT_THAT(comparison_table(comparison), Not(HasSubstr("failed")));
-    comparison.failures.push_back(
-        {{LightMethod::direct, ReflectionMethod::sphere_map}, "too large", ExitCode::usage});
+    comparison.failures.push_back({find_method("direct", "sphere-map"), "too large", ExitCode::usage});
     EXPECT_THAT(comparison_table(comparison), HasSubstr("direct/sphere-map failed: too large"));
 }
 

@@ -55,7 +55,7 @@ Comparison make_comparison() {
     comparison.reference.image = ramp(0.1f);
     comparison.notes = {"a camera was added"};
     float slope = 0.11f;
-    for (const Method& method : all_methods(LightMethod::direct)) {
+    for (const Method& method : all_methods(light_methods().front())) {
         MethodResult result;
         result.method = method;
         result.samples = 16;
@@ -118,7 +118,7 @@ TEST(Report, HoldsTheComparisonAsJson) {
     ASSERT_TRUE(data.contains("pictures"));
     data.erase("pictures");
     EXPECT_EQ(data, ordered_json::parse(comparison_to_json(comparison).dump()));
-    ASSERT_EQ(data["methods"].size(), all_methods(LightMethod::direct).size());
+    ASSERT_EQ(data["methods"].size(), all_methods(light_methods().front()).size());
     EXPECT_EQ(data["methods"][0]["name"], "direct/trace");
     EXPECT_EQ(data["methods"][1]["name"], "direct/polygon-map");
     EXPECT_EQ(data["methods"][2]["name"], "direct/sphere-map");
@@ -291,8 +291,7 @@ TEST(Report, CanBeMadeBeforeAnyMethodHasFinished) {
 
 TEST(Report, NamesMethodsThatFailed) {
     Comparison comparison = make_comparison();
-    comparison.failures.push_back(
-        {{LightMethod::direct, ReflectionMethod::sphere_map}, "too large", ExitCode::usage});
+    comparison.failures.push_back({find_method("direct", "sphere-map"), "too large", ExitCode::usage});
     EXPECT_EQ(data_of(make_report(comparison))["failed"][0]["message"], "too large");
 }
 

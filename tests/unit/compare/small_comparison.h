@@ -21,11 +21,11 @@ inline Metrics distinct_metrics(double base) {
     return metrics;
 }
 
-inline MethodResult small_result(ReflectionMethod reflection) {
+inline MethodResult small_result(std::string_view reflection) {
     MethodResult result;
-    result.method = {LightMethod::direct, reflection};
+    result.method = find_method("direct", reflection);
     result.samples = 4;
-    if (uses_maps(result.method)) result.maps = MapSettings{};
+    if (result.method.reflection->traits.looks_up_maps) result.maps = MapSettings{};
     result.prepare_seconds = 0.25;
     result.compile_seconds = 0.5;
     result.frame_seconds = 2.0;
@@ -35,7 +35,7 @@ inline MethodResult small_result(ReflectionMethod reflection) {
     result.prepare_rays = 99;
     result.map_count = 12;
     result.captured_maps = 5;
-    result.traced_fraction = reflection == ReflectionMethod::trace ? 1.0 : 0.0;
+    result.traced_fraction = reflection == "trace" ? 1.0 : 0.0;
     result.nonfinite = 7;
     result.truncated_fraction = 0.125;
     result.image = Image(4, 3);
@@ -63,14 +63,14 @@ inline Comparison small_comparison() {
     comparison.build_seconds = 0.0625;
     comparison.scene_bytes = 4096;
     comparison.triangles = 38;
-    comparison.reference = small_result(ReflectionMethod::trace);
+    comparison.reference = small_result("trace");
     comparison.reference.samples = 96;
     comparison.reference.image_file = "reference.exr";
     comparison.reference.error_map_file.clear();
     comparison.reference_noise = 0.03;
     comparison.reference_noise_mse = 0.0009;
-    for (const Method& method : all_methods(LightMethod::direct)) {
-        comparison.methods.push_back(small_result(method.reflection));
+    for (const Method& method : all_methods(light_methods().front())) {
+        comparison.methods.push_back(small_result(method.reflection->name));
     }
     comparison.reflective_pixels = 2;
     comparison.notes = {"one note", "another \"note\""};

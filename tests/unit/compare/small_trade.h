@@ -9,7 +9,7 @@ namespace utsuri::test {
 
 /// Seconds and errors of a run; every metric has the same error.
 struct SmallRun {
-    ReflectionMethod reflection;
+    std::string_view reflection;
     std::vector<std::string> settings;
     std::uint32_t samples;
     double prepare_seconds;
@@ -35,7 +35,7 @@ inline TradeRun small_run(const SmallRun& run) {
     made.result.frame_seconds = run.frame_seconds;
     made.result.metrics = equal_metrics(run.error);
     made.result.metrics_reflective = equal_metrics(2.0 * run.error);
-    made.options = {"--reflection", std::string(to_string(run.reflection))};
+    made.options = {"--reflection", std::string(run.reflection)};
     made.options.insert(made.options.end(), run.settings.begin(), run.settings.end());
     made.picture = {std::byte{0xff}, std::byte{0xd8}, std::byte{0xff}};
     return made;
@@ -49,8 +49,8 @@ inline Trade small_trade() {
     trade.noise = equal_metrics(0.01);
     trade.noise_reflective = equal_metrics(0.02);
     trade.scene_options = {"rooms/hall.glb", "-o", "hall.exr", "--size", "4x3"};
-    constexpr ReflectionMethod kTrace = ReflectionMethod::trace;
-    constexpr ReflectionMethod kCube = ReflectionMethod::cube_map;
+    constexpr std::string_view kTrace = "trace";
+    constexpr std::string_view kCube = "cube-map";
     for (const SmallRun& run :
          {SmallRun{kTrace, {}, 1, 0.0, 0.2, 0.41}, SmallRun{kTrace, {}, 2, 0.0, 0.4, 0.21},
           SmallRun{kCube, {"--map-size", "64"}, 1, 1.0, 0.02, 0.91},

@@ -13,8 +13,8 @@ namespace {
 
 using testing::ElementsAre;
 
-std::vector<TradeSetting> settings_of(ReflectionMethod reflection, const MapSettings& given) {
-    return swept_settings({{LightMethod::direct, reflection}}, given);
+std::vector<TradeSetting> settings_of(std::string_view reflection, const MapSettings& given) {
+    return swept_settings({find_method("direct", reflection)}, given);
 }
 
 TEST(Sweep, SamplesAreThePowersOfTwoAndTheMost) {
@@ -25,7 +25,7 @@ TEST(Sweep, SamplesAreThePowersOfTwoAndTheMost) {
 }
 
 TEST(Sweep, TracingHasNothingToSet) {
-    const auto settings = settings_of(ReflectionMethod::trace, {});
+    const auto settings = settings_of("trace", {});
     ASSERT_EQ(settings.size(), 1u);
     EXPECT_THAT(settings[0].options, ElementsAre("--reflection", "trace"));
 }
@@ -34,7 +34,7 @@ TEST(Sweep, MapsAreTriedUpToTheSizeAskedForAndFitted) {
     MapSettings given;
     given.size = 100;
     given.samples = 3;
-    const auto settings = settings_of(ReflectionMethod::cube_map, given);
+    const auto settings = settings_of("cube-map", given);
     ASSERT_EQ(settings.size(), 4u);
     EXPECT_THAT(settings[0].options, ElementsAre("--reflection", "cube-map", "--map-size", "25"));
     EXPECT_EQ(settings[0].maps.size, 25u);
@@ -47,17 +47,17 @@ TEST(Sweep, MapsAreTriedUpToTheSizeAskedForAndFitted) {
 TEST(Sweep, NoSizeIsTriedTwiceAndNoneIsNothing) {
     MapSettings given;
     given.size = 1;
-    const auto smallest = settings_of(ReflectionMethod::cube_map, given);
+    const auto smallest = settings_of("cube-map", given);
     ASSERT_EQ(smallest.size(), 3u) << "fitted, with one probe and with several";
     EXPECT_EQ(smallest[0].maps.size, 1u);
     given.size = 2;
-    EXPECT_EQ(settings_of(ReflectionMethod::cube_map, given).size(), 4u);
+    EXPECT_EQ(settings_of("cube-map", given).size(), 4u);
 }
 
 TEST(Sweep, FittedMapsAskedForHaveNoOtherSizes) {
     MapSettings given;
     given.fitted = true;
-    for (const ReflectionMethod reflection : {ReflectionMethod::polygon_map, ReflectionMethod::hybrid}) {
+    for (const char* reflection : {"polygon-map", "hybrid"}) {
         for (const TradeSetting& setting : settings_of(reflection, given)) {
             EXPECT_TRUE(setting.maps.fitted);
             EXPECT_THAT(setting.options, testing::Contains("fit"));
@@ -67,12 +67,12 @@ TEST(Sweep, FittedMapsAskedForHaveNoOtherSizes) {
 
 TEST(Sweep, PolygonsAreTriedUnlessTheirSizeIsGiven) {
     MapSettings given;
-    const auto settings = settings_of(ReflectionMethod::polygon_map, given);
+    const auto settings = settings_of("polygon-map", given);
     EXPECT_THAT(settings.back().options,
                 ElementsAre("--reflection", "polygon-map", "--map-size", "256", "--polygon-error", "1"));
     EXPECT_DOUBLE_EQ(settings.back().maps.refinement.error.value(), std::numbers::pi / 180.0);
     given.refinement.edge = 0.1;
-    for (const TradeSetting& setting : settings_of(ReflectionMethod::polygon_map, given)) {
+    for (const TradeSetting& setting : settings_of("polygon-map", given)) {
         EXPECT_EQ(setting.maps.refinement.edge, 0.1);
         EXPECT_FALSE(setting.maps.refinement.error);
     }
@@ -80,13 +80,13 @@ TEST(Sweep, PolygonsAreTriedUnlessTheirSizeIsGiven) {
 
 TEST(Sweep, SeveralProbesAreTriedUnlessTheirNumberIsGiven) {
     MapSettings given;
-    const auto settings = settings_of(ReflectionMethod::cube_map, given);
+    const auto settings = settings_of("cube-map", given);
     EXPECT_THAT(settings.back().options,
                 ElementsAre("--reflection", "cube-map", "--map-size", "256", "--probes", "4"));
     EXPECT_EQ(settings.back().maps.most_probes, 4u);
-    EXPECT_EQ(settings_of(ReflectionMethod::sphere_map, given).back().maps.most_probes, 1u);
+    EXPECT_EQ(settings_of("sphere-map", given).back().maps.most_probes, 1u);
     given.most_probes = 2;
-    for (const TradeSetting& setting : settings_of(ReflectionMethod::cube_map, given))
+    for (const TradeSetting& setting : settings_of("cube-map", given))
         EXPECT_EQ(setting.maps.most_probes, 2u);
 }
 
@@ -96,7 +96,7 @@ std::vector<double> tolerances_tried(const Tolerance& given) {
     maps.most_probes = 2;
     maps.tolerance = given;
     std::vector<double> tried;
-    for (const TradeSetting& setting : settings_of(ReflectionMethod::hybrid, maps)) {
+    for (const TradeSetting& setting : settings_of("hybrid", maps)) {
         EXPECT_EQ(setting.maps.tolerance.of, given.of);
         tried.push_back(setting.maps.tolerance.most);
     }
@@ -108,26 +108,26 @@ TEST(Sweep, HybridIsTriedAtTolerancesAroundTheOneAskedFor) {
     EXPECT_THAT(tolerances_tried({Tolerance::Of::place, 0.0}), ElementsAre(0.0));
     EXPECT_THAT(tolerances_tried({Tolerance::Of::radiance, 0.3}), ElementsAre(0.3, 0.15, 0.6, 1.0));
     EXPECT_THAT(tolerances_tried({Tolerance::Of::radiance, 1.0}), ElementsAre(1.0, 0.5));
-    EXPECT_THAT(settings_of(ReflectionMethod::hybrid, {}).back().options,
+    EXPECT_THAT(settings_of("hybrid", {}).back().options,
                 ElementsAre("--reflection", "hybrid", "--map-size", "256", "--tolerance", "4"));
     MapSettings given;
     given.tolerance = {Tolerance::Of::radiance, 0.07};
-    EXPECT_THAT(settings_of(ReflectionMethod::hybrid, given)[0].options,
+    EXPECT_THAT(settings_of("hybrid", given)[0].options,
                 ElementsAre("--reflection", "hybrid", "--map-size", "64", "--tolerance", "7%"));
 }
 
 TEST(Sweep, EveryMethodIsTriedAndNoSettingTwice) {
-    const auto settings = swept_settings(all_methods(LightMethod::direct), {});
+    const auto settings = swept_settings(all_methods(light_methods().front()), {});
     std::set<std::vector<std::string>> options;
     std::set<std::string> methods;
     for (const TradeSetting& setting : settings) {
         options.insert(setting.options);
         methods.insert(method_name(setting.method));
         EXPECT_EQ(setting.options[0], "--reflection");
-        EXPECT_EQ(setting.options[1], to_string(setting.method.reflection));
+        EXPECT_EQ(setting.options[1], setting.method.reflection->name);
     }
     EXPECT_EQ(options.size(), settings.size());
-    EXPECT_EQ(methods.size(), all_methods(LightMethod::direct).size());
+    EXPECT_EQ(methods.size(), all_methods(light_methods().front()).size());
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ void RadianceBounds::forget(const SeenChanges& changes) {
     });
 }
 
-FrameCounts RadianceBounds::capture(const GpuScene& scene, const LightCache& light,
+FrameCounts RadianceBounds::capture(const GpuScene& scene, const SurfaceLight& light,
                                     double& seconds_to_compile, Progress& progress) {
     FrameCounts counts;
     if (std::find(captured_.begin(), captured_.end(), false) == captured_.end()) return counts;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/light/light_cache.h"
+#include "renderers/light/surface_light.h"
 #include "renderers/reflection/maps/seen_changes.h"
 #include "renderers/scene/gpu_scene.h"
 
@@ -36,7 +36,7 @@ class RadianceBounds {
     /// they bring.
     /// @param light filled
     /// @param seconds_to_compile is increased by the time of the pipelines
-    FrameCounts capture(const GpuScene& scene, const LightCache& light, double& seconds_to_compile,
+    FrameCounts capture(const GpuScene& scene, const SurfaceLight& light, double& seconds_to_compile,
                         Progress& progress);
 
     [[nodiscard]] Bindings bindings() const;

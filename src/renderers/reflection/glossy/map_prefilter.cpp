@@ -7,7 +7,7 @@
 #include "kernels/halve_map.h"
 #include "kernels/prefilter_map.h"
 #include "kernels/resolve_map.h"
-#include "kernels/trace_cached.h"
+#include "kernels/trace_kept.h"
 
 #include <bit>
 
@@ -48,7 +48,7 @@ Specialization convolve_constants(const ConvolvedMaps& maps) {
     return {{interop::SPEC_KEEPS_DISTANCES, maps.keeps_distances ? 1u : 0u}};
 }
 
-Bindings scene_bindings(const GpuScene& scene, const LightCache& light) {
+Bindings scene_bindings(const GpuScene& scene, const SurfaceLight& light) {
     Bindings bindings = scene.bindings();
     bindings.merge(light.bindings());
     return bindings;
@@ -65,10 +65,10 @@ std::uint64_t MapPrefilter::source_texels(std::uint32_t size) {
     return std::uint64_t{first_of_level(size, static_cast<std::uint32_t>(std::bit_width(size)) - 1)} + kFaces;
 }
 
-MapPrefilter::MapPrefilter(Device& device, const GpuScene& scene, const LightCache& light,
+MapPrefilter::MapPrefilter(Device& device, const GpuScene& scene, const SurfaceLight& light,
                            const ConvolvedMaps& maps, std::uint32_t largest_source)
     : device_(device),
-      tracer_(device, "trace_cached", kernels::trace_cached, capture_constants(scene),
+      tracer_(device, "trace_kept", kernels::trace_kept, capture_constants(scene),
               scene_bindings(scene, light)),
       resolver_(device, "resolve_map", kernels::resolve_map, {}, sizeof(interop::ResolveMapPush)),
       halver_(device, "halve_map", kernels::halve_map, convolve_constants(maps),

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderers/film/film_kernel.h"
-#include "renderers/light/light_cache.h"
+#include "renderers/light/surface_light.h"
 #include "renderers/reflection/glossy/inverse_distance_kernel.h"
 #include "renderers/scene/gpu_scene.h"
 
@@ -30,7 +30,7 @@ class MapPrefilter {
   public:
     /// @param light filled
     /// @param largest_source most texels along an edge of a face of what is captured, a power of two
-    MapPrefilter(Device& device, const GpuScene& scene, const LightCache& light, const ConvolvedMaps& maps,
+    MapPrefilter(Device& device, const GpuScene& scene, const SurfaceLight& light, const ConvolvedMaps& maps,
                  std::uint32_t largest_source);
     MapPrefilter(const MapPrefilter&) = delete;
     MapPrefilter& operator=(const MapPrefilter&) = delete;

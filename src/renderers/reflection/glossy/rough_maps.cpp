@@ -62,8 +62,9 @@ RoughMaps::RoughMaps(Device& device, const SceneData& data, const RoughMapSettin
           device, plan_.levels.empty() ? std::vector<interop::LobeAlbedo>() : make_lobe_albedo_table(),
           "albedos of lobes")) {}
 
-FrameCounts RoughMaps::capture(const GpuScene& scene, const LightCache& light, const RenderSettings& settings,
-                               double& seconds_to_compile, Progress& progress) {
+FrameCounts RoughMaps::capture(const GpuScene& scene, const SurfaceLight& light,
+                               const RenderSettings& settings, double& seconds_to_compile,
+                               Progress& progress) {
     FrameCounts counts;
     if (plan_.levels.empty()) return counts;
     const auto start = std::chrono::steady_clock::now();

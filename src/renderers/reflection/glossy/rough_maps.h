@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderers/film/render_settings.h"
-#include "renderers/light/light_cache.h"
+#include "renderers/light/surface_light.h"
 #include "renderers/reflection/glossy/map_prefilter.h"
 #include "renderers/reflection/glossy/rough_map_plan.h"
 #include "renderers/reflection/proxies/proxy.h"
@@ -42,7 +42,7 @@ class RoughMaps {
     /// Captures and convolves the maps.
     /// @param light filled
     /// @param seconds_to_compile is increased by the time of the pipelines
-    FrameCounts capture(const GpuScene& scene, const LightCache& light, const RenderSettings& settings,
+    FrameCounts capture(const GpuScene& scene, const SurfaceLight& light, const RenderSettings& settings,
                         double& seconds_to_compile, Progress& progress);
 
     [[nodiscard]] Bindings bindings() const;

@@ -6,7 +6,7 @@
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/resolve_map.h"
-#include "kernels/trace_cached.h"
+#include "kernels/trace_kept.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ Specialization tracing_specialization(const GpuScene& scene, MapKind kind) {
     return specialization;
 }
 
-Bindings tracing_bindings(const GpuScene& scene, const LightCache& light) {
+Bindings tracing_bindings(const GpuScene& scene, const SurfaceLight& light) {
     Bindings bindings = scene.bindings();
     bindings.merge(light.bindings());
     return bindings;
@@ -41,7 +41,7 @@ class StopsWith : public Progress {
 
 }  // namespace
 
-MapCapture::MapCapture(Device& device, const GpuScene& scene, const LightCache& light, ReflectionMaps& maps,
+MapCapture::MapCapture(Device& device, const GpuScene& scene, const SurfaceLight& light, ReflectionMaps& maps,
                        const RenderSettings& settings, const MapSettings& map_settings)
     : device_(device),
       scene_(scene),
@@ -58,8 +58,8 @@ void MapCapture::prepare(const Camera& eye, const std::function<void(const glm::
     if (statistics.maps == 0) return;
     const auto start = std::chrono::steady_clock::now();
     maps_.turn_to(eye);
-    tracer_.emplace(device_, "trace_cached", kernels::trace_cached,
-                    tracing_specialization(scene_, maps_.kind()), tracing_bindings(scene_, light_));
+    tracer_.emplace(device_, "trace_kept", kernels::trace_kept, tracing_specialization(scene_, maps_.kind()),
+                    tracing_bindings(scene_, light_));
     resolver_.emplace(device_, "resolve_map", kernels::resolve_map, Specialization{},
                       sizeof(interop::ResolveMapPush));
     tracer_->warm_up(film_of(maps_.stride(0)));

@@ -4,7 +4,7 @@
 #include "renderers/film/film_kernel.h"
 #include "renderers/film/render_settings.h"
 #include "renderers/film/render_statistics.h"
-#include "renderers/light/light_cache.h"
+#include "renderers/light/surface_light.h"
 #include "renderers/reflection/maps/reflection_maps.h"
 #include "renderers/scene/gpu_scene.h"
 
@@ -20,7 +20,7 @@ namespace utsuri {
 class MapCapture {
   public:
     /// `device`, `scene`, `light` and `maps` must outlive this.
-    MapCapture(Device& device, const GpuScene& scene, const LightCache& light, ReflectionMaps& maps,
+    MapCapture(Device& device, const GpuScene& scene, const SurfaceLight& light, ReflectionMaps& maps,
                const RenderSettings& settings, const MapSettings& map_settings);
 
     /// Compiles what capturing needs, and captures what a view looks up, or all maps if the settings say so.
@@ -44,7 +44,7 @@ class MapCapture {
 
     Device& device_;
     const GpuScene& scene_;
-    const LightCache& light_;
+    const SurfaceLight& light_;
     ReflectionMaps& maps_;
     RenderSettings settings_;
     std::uint32_t samples_;  ///< per texel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/light/light_reach.h"
+#include "renderers/light/direct/light_reach.h"
 
 #include <algorithm>
 #include <array>

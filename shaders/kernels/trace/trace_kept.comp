@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What reflection maps hold: as direct/trace, but for diffuse surfaces, whose light is taken from where it is kept.
+// As the kernels that simulate light where rays meet surfaces, but that of diffuse ones is taken from where it is kept: what
+// reflection maps hold.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/trace/camera_chain.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/session.h"
+#include "cli/scene_session.h"
 
 #include "base/error.h"
 
@@ -10,15 +10,6 @@
 #include <cstdlib>
 
 namespace utsuri {
-namespace {
-
-Validation wanted_validation() {
-    const char* value = std::getenv("UTSURI_VALIDATION");
-    return value != nullptr && std::string_view(value) == "1" ? Validation::on : Validation::off;
-}
-
-}  // namespace
-
 LoadedScene load_scene(const std::filesystem::path& path) {
     const auto start = std::chrono::steady_clock::now();
     ImportResult result = import_gltf(path);
@@ -46,17 +37,19 @@ const Camera& choose_camera(const Scene& scene, const std::string& wanted) {
     throw UsageError("choose camera", fmt::format("'{}'", wanted), fmt::format("the scene has{}", names));
 }
 
-std::unique_ptr<VulkanInstance> make_instance() {
-    return std::make_unique<VulkanInstance>(wanted_validation());
+Validation wanted_validation() {
+    const char* value = std::getenv("UTSURI_VALIDATION");
+    return value != nullptr && std::string_view(value) == "1" ? Validation::on : Validation::off;
 }
 
-DeviceSession::DeviceSession(const CommonOptions& options)
-    : instance_(make_instance()), device_(std::make_unique<Device>(*instance_, options.device)) {}
+Session make_session(const CommonOptions& options, const LightSettings& light) {
+    return Session({options.device, wanted_validation(), light});
+}
 
-void DeviceSession::check_validation() {
-    const std::vector<std::string> messages = instance_->validation_messages().take();
+void check_validation(Session& session) {
+    const std::vector<std::string> messages = session.take_validation_messages();
     if (!messages.empty()) {
-        throw DeviceError("validate", device_->summary().name,
+        throw DeviceError("validate", session.device().name,
                           fmt::format("{} messages:\n{}", messages.size(), fmt::join(messages, "\n")));
     }
 }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/film/frame_counts.h"
+#include "renderers/scene/scene_change.h"
+
+#include "base/progress.h"
+#include "gpu/pipeline_interface.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace utsuri {
+
+/// What simulating light took.
+struct LightCost {
+    FrameCounts counts;
+    double seconds = 0.0;          ///< wall time, pipeline excluded
+    double compile_seconds = 0.0;  ///< pipeline
+};
+
+/// Light that diffuse surfaces of a scene send out, kept on them, on the device: one for all that look it up.
+/// Kernels see it as kernels/light/kept_light.glsl has it. It depends on the scene and its lights, not on the
+/// eye.
+class SurfaceLight {
+  public:
+    SurfaceLight() = default;
+    SurfaceLight(const SurfaceLight&) = delete;
+    SurfaceLight& operator=(const SurfaceLight&) = delete;
+    virtual ~SurfaceLight() = default;
+
+    /// Simulates the light of the scene as it is, unless it is there.
+    /// @throws Interrupted if progress says so; the light is not there then
+    virtual void fill(Progress& progress) = 0;
+    /// The same after a change that the scene on the device has taken over; what the change cannot have
+    /// reached is kept. Buffers may be others afterwards: bindings() are to be asked for again.
+    /// @throws Interrupted if progress says so; the light is not there then
+    virtual void update(const SceneChange& change, Progress& progress) = 0;
+
+    /// What kernels/light/kept_light.glsl reads.
+    [[nodiscard]] virtual Bindings bindings() const = 0;
+
+    /// Of the last fill() or update() that simulated light.
+    [[nodiscard]] const LightCost& cost() const { return cost_; }
+    /// Triangles that send out other light since the last change of the scene that concerned light;
+    /// ascending.
+    [[nodiscard]] const std::vector<std::uint32_t>& changed() const { return changed_; }
+
+  protected:
+    LightCost cost_;
+    std::vector<std::uint32_t> changed_;
+};
+
+}  // namespace utsuri

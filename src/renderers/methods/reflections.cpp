@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reflection axis: a new reflection is what renders it and a line here.
+#include "renderers/methods/map_renderer.h"
+#include "renderers/methods/method.h"
+#include "renderers/methods/planar_renderer.h"
+#include "renderers/methods/ray_tracer.h"
+
+#include <array>
+
+namespace utsuri {
+namespace {
+
+std::unique_ptr<Renderer> make_tracer(const RendererInput& input, const RenderSettings& settings,
+                                      const MapSettings&) {
+    return std::make_unique<RayTracer>(input, settings);
+}
+
+template <MapKind kind>
+std::unique_ptr<Renderer> make_mapped(const RendererInput& input, const RenderSettings& settings,
+                                      const MapSettings& maps) {
+    return std::make_unique<MapRenderer>(input.device, input.data, input.scene, input.kept_light.get(),
+                                         input.camera, kind, settings, maps);
+}
+
+template <MapKind kind>
+std::unique_ptr<Renderer> make_imaged(const RendererInput& input, const RenderSettings& settings,
+                                      const MapSettings& maps) {
+    return std::make_unique<PlanarRenderer>(input.device, input.data, input.scene, input.kept_light.get(),
+                                            input.camera, kind, settings, maps);
+}
+
+/// Images in plane mirrors show all in its place. A tolerance of radiance they need not keep, as rough
+/// surfaces in them are looked up.
+std::unique_ptr<Renderer> make_hybrid(const RendererInput& input, const RenderSettings& settings,
+                                      const MapSettings& maps) {
+    const bool draws_images =
+        maps.tolerance.of == Tolerance::Of::place && !find_plane_mirrors(input.data).mirrors.empty();
+    return draws_images ? make_imaged<MapKind::hybrid>(input, settings, maps)
+                        : make_mapped<MapKind::hybrid>(input, settings, maps);
+}
+
+constexpr ReflectionTraits kTraced{.looks_up_maps = false, .takes_probes = false, .predicts_errors = false};
+constexpr ReflectionTraits kPerPixel{};
+constexpr ReflectionTraits kPerPolygon{.is_per_polygon = true};
+constexpr ReflectionTraits kInEyeSpace{.takes_probes = false, .has_polyhedron = false};
+constexpr ReflectionTraits kImaged{.takes_probes = false, .predicts_errors = false};
+constexpr ReflectionTraits kHybrid{.has_tolerance = true};
+
+}  // namespace
+
+std::span<const ReflectionMethod> reflection_methods() {
+    static constexpr std::array kReflections = {
+        ReflectionMethod{"trace", "rays followed", kTraced, make_tracer},
+        ReflectionMethod{"polygon-map", "maps on a polyhedron, found per polygon", kPerPolygon,
+                         make_mapped<MapKind::polygon>},
+        ReflectionMethod{"sphere-map", "OpenGL's fisheye map", kInEyeSpace, make_mapped<MapKind::sphere>},
+        ReflectionMethod{"cube-map", "maps found per pixel", kPerPixel, make_mapped<MapKind::cube>},
+        ReflectionMethod{"proxy-map", "the same, corrected by a box or planes", kPerPixel,
+                         make_mapped<MapKind::proxy>},
+        ReflectionMethod{"distance-map", "the same, corrected by distances", kPerPixel,
+                         make_mapped<MapKind::distance>},
+        ReflectionMethod{"planar", "plane mirrors drawn, the rest as by proxy-map", kImaged,
+                         make_imaged<MapKind::proxy>},
+        ReflectionMethod{"hybrid", "the cheapest that is right enough, else rays", kHybrid, make_hybrid}};
+    return kReflections;
+}
+
+}  // namespace utsuri

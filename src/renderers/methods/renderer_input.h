@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/light/light.h"
+#include "renderers/scene/gpu_scene.h"
+#include "renderers/scene/scene_data.h"
+
+#include "scene/camera.h"
+
+namespace utsuri {
+
+/// What a renderer is made from. Everything but the camera must outlive it: Session sees to that.
+struct RendererInput {
+    Device& device;
+    const SceneData& data;
+    const GpuScene& scene;
+    const LightMethod& light;
+    KeptLight& kept_light;  ///< of that method; made and filled by the first renderer that needs it
+    const Camera& camera;
+};
+
+}  // namespace utsuri

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/picture.h"
+
+#include "session/session_state.h"
+
+namespace utsuri {
+
+Picture::Picture(std::shared_ptr<SessionState> session, const PictureSettings& settings)
+    : session_(std::move(session)), state_(std::make_shared<PictureState>()) {
+    state_->settings = settings;
+    state_->renderer =
+        make_renderer(settings.method, session_->renderer_input(settings), settings.render, settings.maps);
+}
+
+Picture::Picture(Picture&& other) noexcept = default;
+Picture& Picture::operator=(Picture&& other) noexcept {
+    // What is on the device goes before the session that it is of.
+    state_ = std::move(other.state_);
+    session_ = std::move(other.session_);
+    return *this;
+}
+Picture::~Picture() = default;
+
+void Picture::prepare(Progress& progress) {
+    if (!state_->renderer) {
+        const PictureSettings& settings = state_->settings;
+        state_->renderer = make_renderer(settings.method, session_->renderer_input(settings), settings.render,
+                                         settings.maps);
+    }
+    if (state_->is_prepared) return;
+    try {
+        state_->renderer->prepare(progress);
+    } catch (...) {
+        state_->drop();
+        throw;
+    }
+    state_->is_prepared = true;
+}
+
+Renderer& Picture::renderer() {
+    Progress silent;
+    prepare(silent);
+    return *state_->renderer;
+}
+
+void Picture::add_samples(std::uint32_t count, Progress& progress) {
+    Renderer& ready = renderer();
+    const PictureSettings& settings = state_->settings;
+    if (!state_->film) {
+        state_->film.emplace(session_->device, settings.render.width, settings.render.height, settings.title);
+    }
+    ready.add_samples(*state_->film, count, progress);
+}
+
+void Picture::add_samples(std::uint32_t count) {
+    Progress silent;
+    add_samples(count, silent);
+}
+
+void Picture::set_camera(const Camera& camera) {
+    state_->settings.camera = camera;
+    if (state_->renderer) state_->renderer->set_camera(camera);
+    clear();
+}
+
+void Picture::clear() {
+    if (state_->film) state_->film->clear();
+}
+
+std::uint32_t Picture::samples() const {
+    return state_->film ? state_->film->samples() : 0;
+}
+
+Image Picture::image() const {
+    const RenderSettings& settings = state_->settings.render;
+    return state_->film ? state_->film->resolve() : Image(settings.width, settings.height);
+}
+
+Image Picture::half_image(std::uint32_t half) const {
+    const RenderSettings& settings = state_->settings.render;
+    return state_->film ? state_->film->resolve_half(half) : Image(settings.width, settings.height);
+}
+
+NoiseEstimate Picture::noise() const {
+    return state_->film ? state_->film->estimate_noise() : NoiseEstimate();
+}
+
+const RenderStatistics& Picture::statistics() const {
+    static const RenderStatistics kNone;
+    return state_->renderer ? state_->renderer->statistics() : kNone;
+}
+
+bool Picture::draw_frame() {
+    return renderer().draw_frame();
+}
+
+std::vector<PredictedError> Picture::predict_errors() {
+    return renderer().predict_errors();
+}
+
+std::vector<MeasuredError> Picture::measure_errors() {
+    return renderer().measure_errors();
+}
+
+std::vector<float> Picture::traced_pixels() {
+    return renderer().traced_pixels();
+}
+
+}  // namespace utsuri

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/session.h"
+
+#include "renderers/film/aov.h"
+#include "renderers/film/frame_camera.h"
+
+#include "base/error.h"
+
+#include "session/session_state.h"
+
+namespace utsuri {
+
+PreparedScene& SessionState::needed_scene() {
+    if (!scene) throw UsageError("use a session", "without a scene", "give it one with set_scene() first");
+    return *scene;
+}
+
+RendererInput SessionState::renderer_input(const PictureSettings& settings) {
+    PreparedScene& prepared = needed_scene();
+    const LightMethod& light = *settings.method.light;
+    KeptLight& kept =
+        prepared.lights.try_emplace(&light, device, prepared.data, prepared.on_device, light, light_settings)
+            .first->second;
+    return {device, prepared.data, prepared.on_device, light, kept, settings.camera};
+}
+
+std::vector<std::shared_ptr<PictureState>> SessionState::live_pictures() {
+    std::vector<std::shared_ptr<PictureState>> live;
+    std::erase_if(pictures, [&](const std::weak_ptr<PictureState>& picture) {
+        if (auto held = picture.lock()) {
+            live.push_back(std::move(held));
+            return false;
+        }
+        return true;
+    });
+    return live;
+}
+
+void SessionState::drop_what_was_made() {
+    for (const std::shared_ptr<PictureState>& picture : live_pictures())
+        picture->drop();
+    if (scene) scene->lights.clear();
+}
+
+Session::Session(const SessionSettings& settings)
+    : state_(std::make_shared<SessionState>(settings.validation, settings.device, settings.light)) {}
+
+Session::Session(Session&& other) noexcept = default;
+Session& Session::operator=(Session&& other) noexcept = default;
+Session::~Session() = default;
+
+namespace {
+
+/// Has lights and pictures take over a change; anything that fails half way is made anew.
+void take_over(SessionState& state, const SceneChange& change, Progress& progress) {
+    try {
+        for (auto& [method, light] : state.scene->lights)
+            light.update(change, progress);
+        for (const std::shared_ptr<PictureState>& picture : state.live_pictures()) {
+            if (picture->is_prepared) {
+                picture->renderer->update(change, progress);
+            } else {
+                picture->renderer.reset();
+            }
+            if (picture->film) picture->film->clear();
+        }
+    } catch (...) {
+        state.drop_what_was_made();
+        throw;
+    }
+}
+
+}  // namespace
+
+SceneUpdate Session::set_scene(const Scene& scene, Progress& progress) {
+    if (!state_->scene) {
+        state_->scene.emplace(state_->device, prepare_scene_data(scene));
+        return SceneUpdate::rebuilt;
+    }
+    SceneChange change;
+    try {
+        change = update_scene_data(state_->scene->data, scene);
+        state_->scene->on_device.update(state_->scene->data);
+    } catch (...) {
+        state_->drop_what_was_made();
+        state_->scene.reset();
+        throw;
+    }
+    if (change.rebuilt) {
+        state_->drop_what_was_made();
+        return SceneUpdate::rebuilt;
+    }
+    if (change.empty()) return SceneUpdate::unchanged;
+    take_over(*state_, change, progress);
+    return SceneUpdate::updated;
+}
+
+SceneUpdate Session::set_scene(const Scene& scene) {
+    Progress silent;
+    return set_scene(scene, silent);
+}
+
+Picture Session::make_picture(const PictureSettings& settings) {
+    Picture picture(state_, settings);
+    state_->pictures.push_back(picture.state_);
+    return picture;
+}
+
+std::vector<interop::AovPixel> Session::first_hits(const Camera& camera, std::uint32_t width,
+                                                   std::uint32_t height) const {
+    const PreparedScene& prepared = state_->needed_scene();
+    return render_aovs(state_->device, prepared.on_device,
+                       make_camera_info(camera, prepared.data.origin, width, height), width, height);
+}
+
+const SceneData& Session::scene() const {
+    return state_->needed_scene().data;
+}
+
+const DeviceSummary& Session::device() const {
+    return state_->device.summary();
+}
+
+MemoryUsage Session::memory() const {
+    return state_->device.memory();
+}
+
+void Session::reset_peak_memory() {
+    state_->device.reset_peak_memory();
+}
+
+std::vector<std::string> Session::take_validation_messages() {
+    return state_->instance.validation_messages().take();
+}
+
+}  // namespace utsuri

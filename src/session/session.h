@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/light/light_settings.h"
+#include "renderers/scene/scene_data.h"
+
+#include "gpu/device.h"
+#include "gpu/device_selection.h"
+#include "gpu/vulkan_instance.h"
+
+#include "interop/frame.h"
+#include "session/picture.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace utsuri {
+
+struct SessionSettings {
+    std::string device;  ///< index or part of a name; of the fastest kind if empty
+    Validation validation = Validation::off;
+    LightSettings light;
+};
+
+/// What Session::set_scene() did with a scene, beside one before it.
+enum class SceneUpdate {
+    unchanged,  ///< nothing: it is the same
+    updated,    ///< what the change touches was made anew: things moved, lights and colours took other values
+    rebuilt     ///< all that is kept about the scene is made anew, when it is next needed
+};
+
+/// A device and a scene on it, pictures of which are rendered by any method: the library's front door. One
+/// thread at a time.
+///
+///     Session session;
+///     session.set_scene(scene);
+///     Picture picture = session.make_picture({find_method("direct", "hybrid"), scene.cameras.front()});
+///     picture.add_samples(16);
+///     Image image = picture.image();
+class Session {
+  public:
+    /// @throws DeviceError if there is no such device, or none at all
+    explicit Session(const SessionSettings& settings = {});
+    Session(Session&& other) noexcept;
+    Session& operator=(Session&& other) noexcept;
+    ~Session();
+
+    /// Gives the scene, or the scene as it is now: only what differs goes to the device. Pictures forget
+    /// their samples unless nothing has changed. Costs the light of what changed, if light is kept on
+    /// surfaces.
+    /// @throws DeviceError if it does not fit; the session has no scene then
+    /// @throws Interrupted if progress says so; the scene is the new one, what is kept about it made anew
+    SceneUpdate set_scene(const Scene& scene, Progress& progress);
+    SceneUpdate set_scene(const Scene& scene);
+
+    /// @throws UsageError without a scene, or if the settings do not fit the scene or the device
+    [[nodiscard]] Picture make_picture(const PictureSettings& settings);
+
+    /// First hits through the pixel centres, row-major, top row first. Positions are relative to
+    /// SceneData::origin.
+    [[nodiscard]] std::vector<interop::AovPixel> first_hits(const Camera& camera, std::uint32_t width,
+                                                            std::uint32_t height) const;
+    /// The scene as it was prepared.
+    /// @throws UsageError without a scene
+    [[nodiscard]] const SceneData& scene() const;
+
+    [[nodiscard]] const DeviceSummary& device() const;
+    [[nodiscard]] MemoryUsage memory() const;
+    /// The peak becomes what is held now.
+    void reset_peak_memory();
+    /// What the validation layer said since it was last asked.
+    [[nodiscard]] std::vector<std::string> take_validation_messages();
+
+  private:
+    std::shared_ptr<SessionState> state_;
+};
+
+}  // namespace utsuri
