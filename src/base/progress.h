@@ -23,6 +23,17 @@ class Progress {
     [[nodiscard]] virtual bool cancelled() const { return false; }
 };
 
+/// Tells nothing of its own, and stops when another does: for parts of work that another tells of.
+class SilentProgress : public Progress {
+  public:
+    /// `other` must outlive this.
+    explicit SilentProgress(const Progress& other) : other_(other) {}
+    [[nodiscard]] bool cancelled() const override { return other_.cancelled(); }
+
+  private:
+    const Progress& other_;
+};
+
 /// Thrown by work that stops because Progress::cancelled() and has nothing worth keeping.
 class Interrupted : public std::runtime_error {
   public:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Maps are captured when something looks them up, and no others; pictures do not tell.
-#include "renderers/light/direct/light_cache.h"
-#include "renderers/methods/planar_renderer.h"
+#include "renderers/methods/raster_renderer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 
@@ -24,13 +23,13 @@ class CapturedMaps : public DeviceTest {
     explicit CapturedMaps(const Scene& scene = mirror_in_room())
         : data_(prepare_scene_data(scene)),
           scene_(device(), data_),
-          light_(device(), data_, scene_, kCoarse) {
+          light_(kept_light(device(), data_, scene_, kCoarse)) {
         settings_.size = 16;
         settings_.samples = 1;
     }
 
-    MapRenderer renderer(MapKind kind, const Camera& camera) {
-        return {device(), data_, scene_, light_, camera, kind, kPicture, settings_};
+    RasterRenderer renderer(MapKind kind, const Camera& camera) {
+        return make_raster(device(), data_, scene_, light_, camera, kind, kPicture, settings_);
     }
 
     Image picture(Renderer& renderer, std::initializer_list<std::uint32_t> samples = {4}) {
@@ -46,7 +45,7 @@ class CapturedMaps : public DeviceTest {
     Progress silent_;
     SceneData data_;
     GpuScene scene_;
-    LightCache light_;
+    KeptLight light_;
     MapSettings settings_;
 };
 
@@ -54,19 +53,19 @@ class CapturedMaps : public DeviceTest {
 // which is 90 degrees wide.
 TEST_F(CapturedMaps, AreThoseThatReflectionsReach) {
     for (const MapKind kind : {MapKind::polygon, MapKind::cube}) {
-        MapRenderer narrow = renderer(kind, look_at({0, 0, 2}, {0, 0, -3}, 0.1));
+        RasterRenderer narrow = renderer(kind, look_at({0, 0, 2}, {0, 0, -3}, 0.1));
         narrow.prepare(silent_);
         EXPECT_EQ(narrow.statistics().maps, kCubeFaces);
         EXPECT_EQ(narrow.statistics().captured_maps, 1u);
         const std::uint64_t texels = (settings_.size + 2) * (settings_.size + 2);
-        EXPECT_EQ(narrow.statistics().prepare_counts.rays - light_.cost().counts.rays, texels)
+        EXPECT_EQ(narrow.statistics().prepare_counts.rays - light_.get().cost().counts.rays, texels)
             << "one ray a texel, from which surfaces that shine are seen";
     }
 }
 
 TEST_F(CapturedMaps, AreNoneWhereNoReflectorIsSeen) {
     for (const MapKind kind : kMapKinds) {
-        MapRenderer away = renderer(kind, look_at({0, 0, 2}, {0, 0, 3}));
+        RasterRenderer away = renderer(kind, look_at({0, 0, 2}, {0, 0, 3}));
         away.prepare(silent_);
         EXPECT_EQ(away.statistics().captured_maps, 0u);
     }
@@ -75,10 +74,10 @@ TEST_F(CapturedMaps, AreNoneWhereNoReflectorIsSeen) {
 TEST_F(CapturedMaps, ShowWhatAllMapsWouldShow) {
     for (const MapKind kind : kMapKinds) {
         const Camera camera = look_at({0.5, 0.7, 1}, {0, 0, -3});
-        MapRenderer some = renderer(kind, camera);
+        RasterRenderer some = renderer(kind, camera);
         some.prepare(silent_);
         settings_.captures_all = true;
-        MapRenderer all = renderer(kind, camera);
+        RasterRenderer all = renderer(kind, camera);
         all.prepare(silent_);
         settings_.captures_all = false;
         EXPECT_EQ(all.statistics().captured_maps, all.statistics().maps);
@@ -95,12 +94,12 @@ TEST_F(CapturedMaps, FollowTheEye) {
     const Camera straight = look_at({0, 0, 2}, {0, 0, -3}, 0.1);
     const Camera aslant = look_at({2.5, 0, -2.5}, {0, 0, -2.9}, 0.3);
     for (const MapKind kind : kMapKinds) {
-        MapRenderer moving = renderer(kind, straight);
+        RasterRenderer moving = renderer(kind, straight);
         moving.prepare(silent_);
         moving.set_camera(aslant);
         const Image later = picture(moving);
         settings_.captures_all = true;
-        MapRenderer all = renderer(kind, straight);
+        RasterRenderer all = renderer(kind, straight);
         all.prepare(silent_);
         settings_.captures_all = false;
         all.set_camera(aslant);
@@ -109,9 +108,9 @@ TEST_F(CapturedMaps, FollowTheEye) {
             EXPECT_EQ(moving.statistics().captured_maps, 2u) << "straight ahead and to the left";
         }
 
-        MapRenderer framed = renderer(kind, straight);
+        RasterRenderer framed = renderer(kind, straight);
         framed.prepare(silent_);
-        for (MapRenderer* renderer : {&framed, &all}) {
+        for (RasterRenderer* renderer : {&framed, &all}) {
             renderer->set_camera(aslant);
             renderer->draw_frame();
         }
@@ -125,7 +124,7 @@ class Cancelled : public Progress {
 };
 
 TEST_F(CapturedMaps, AreNotCapturedOnceCancelled) {
-    MapRenderer stopped = renderer(MapKind::cube, look_at({0, 0, 2}, {0, 0, 3}));
+    RasterRenderer stopped = renderer(MapKind::cube, look_at({0, 0, 2}, {0, 0, 3}));
     stopped.prepare(silent_);
     stopped.set_camera(look_at({0, 0, 2}, {0, 0, -3}));
     Film film(device(), kPicture.width, kPicture.height, "film");
@@ -142,10 +141,11 @@ TEST_F(CapturedMaps, OfCurvedReflectorsBesidePlaneOnes) {
     add(scene, icosphere({0, 0, 0}, 0.4f, 2), mirror());
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device(), data);
-    LightCache light(device(), data, gpu_scene, kCoarse);
+    KeptLight light = kept_light(device(), data, gpu_scene, kCoarse);
     for (const bool is_seen : {false, true}) {
         const Camera camera = look_at({0, 0, 2}, {0, is_seen ? 0.0 : 10.0, 0});
-        PlanarRenderer planar(device(), data, gpu_scene, light, camera, MapKind::proxy, kPicture, settings_);
+        RasterRenderer planar = make_raster(device(), data, gpu_scene, light, camera, {MapKind::proxy, true},
+                                            kPicture, settings_);
         planar.prepare(silent_);
         EXPECT_EQ(planar.statistics().maps, kCubeFaces);
         EXPECT_EQ(planar.statistics().captured_maps > 0, is_seen);

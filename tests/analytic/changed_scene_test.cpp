@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renderers follow a scene whose things move and whose lights change: pictures are those of renderers made
 // for it as it is, and what the change cannot have touched is not made anew.
-#include "renderers/light/direct/light_cache.h"
 #include "renderers/methods/ray_tracer.h"
 #include "support/light_scenes.h"
 #include "support/methods.h"
@@ -36,7 +35,7 @@ class ChangedScene : public DeviceTest {
         light_.reset();
         data_ = prepare_scene_data(scene);
         gpu_scene_ = std::make_unique<GpuScene>(device(), data_);
-        light_ = std::make_unique<LightCache>(device(), data_, *gpu_scene_, kCoarse);
+        light_ = std::make_unique<KeptLight>(kept_light(device(), data_, *gpu_scene_, kCoarse));
     }
 
     SceneChange change(const Scene& scene) {
@@ -45,13 +44,10 @@ class ChangedScene : public DeviceTest {
         return change;
     }
 
-    std::unique_ptr<Renderer> renderer(const DrawnMethod& method, const Camera& camera, SurfaceLight& light) {
-        if (method.draws_images) {
-            return std::make_unique<PlanarRenderer>(device(), data_, *gpu_scene_, light, camera, method.kind,
-                                                    kPicture, maps_);
-        }
-        return std::make_unique<MapRenderer>(device(), data_, *gpu_scene_, light, camera, method.kind,
-                                             kPicture, maps_);
+    std::unique_ptr<Renderer> renderer(const DrawnMethod& method, const Camera& camera, KeptLight& light) {
+        return std::make_unique<RasterRenderer>(
+            RendererInput{device(), data_, *gpu_scene_, light_methods().front(), light, camera}, method,
+            kPicture, maps_);
     }
 
     std::unique_ptr<Renderer> prepared(const DrawnMethod& method, const Camera& camera) {
@@ -68,7 +64,7 @@ class ChangedScene : public DeviceTest {
 
     /// What a renderer shows that was made for the scene as it is.
     std::vector<glm::vec3> made_anew(const DrawnMethod& method, const Camera& camera) {
-        LightCache light(device(), data_, *gpu_scene_, kCoarse);
+        KeptLight light = kept_light(device(), data_, *gpu_scene_, kCoarse);
         const std::unique_ptr<Renderer> made = renderer(method, camera, light);
         made->prepare(silent_);
         return picture(*made);
@@ -79,7 +75,7 @@ class ChangedScene : public DeviceTest {
     Progress silent_;
     SceneData data_;
     std::unique_ptr<GpuScene> gpu_scene_;
-    std::unique_ptr<LightCache> light_;
+    std::unique_ptr<KeptLight> light_;
     MapSettings maps_;
 };
 

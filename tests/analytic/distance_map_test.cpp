@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // direct/distance-map, the distances it searches, and predictions of errors, in the worked room.
-#include "renderers/light/direct/light_cache.h"
 #include "renderers/reflection/distances/distance_maps.h"
 #include "support/light_scenes.h"
+#include "support/methods.h"
 #include "support/test_device.h"
 #include "support/worked_room.h"
 
@@ -50,13 +50,13 @@ class DistanceMap : public DeviceTest {
                             const glm::dvec3& target) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        LightCache light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
         settings.samples = 1;
         settings.predicts_errors = true;
         RenderSettings picture;
         picture.width = picture.height = 1;
-        MapRenderer renderer(device(), data, gpu_scene, light, look_at(eye, target, 1e-3), kind, picture,
-                             settings);
+        RasterRenderer renderer = make_raster(device(), data, gpu_scene, light, look_at(eye, target, 1e-3),
+                                              kind, picture, settings);
         Progress progress;
         renderer.prepare(progress);
         return {renderer.predict_errors().front(), renderer.measure_errors().front()};
@@ -86,10 +86,11 @@ TEST_F(DistanceMap, ShowsFurnitureWhereItIs) {
     const auto wrong_share = [&](MapKind kind) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        LightCache light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
         MapSettings settings = map_settings(kSize, kWorkedCapturePoint);
         settings.predicts_errors = true;
-        MapRenderer renderer(device(), data, gpu_scene, light, camera, kind, picture, settings);
+        RasterRenderer renderer =
+            make_raster(device(), data, gpu_scene, light, camera, kind, picture, settings);
         Film film(device(), picture.width, picture.height, "furnished room");
         Progress progress;
         renderer.prepare(progress);

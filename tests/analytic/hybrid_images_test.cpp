@@ -3,8 +3,7 @@
 // cost more.
 #include "renderers/film/aov.h"
 #include "renderers/film/frame_camera.h"
-#include "renderers/light/direct/light_cache.h"
-#include "renderers/methods/planar_renderer.h"
+#include "renderers/methods/raster_renderer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 
@@ -62,8 +61,9 @@ class HybridImages : public DeviceTest {
                      const RenderSettings& picture = kPicture) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        LightCache light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
-        PlanarRenderer renderer(device(), data, gpu_scene, light, eye(), kind, picture, settings(tolerance));
+        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
+        RasterRenderer renderer =
+            make_raster(device(), data, gpu_scene, light, eye(), {kind, true}, picture, settings(tolerance));
         Progress progress;
         renderer.prepare(progress);
         Film film(device(), picture.width, picture.height, "film");

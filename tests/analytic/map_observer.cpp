@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "map_observer.h"
 
+#include "support/methods.h"
+
 #include <gtest/gtest.h>
 
 namespace utsuri::test {
@@ -12,10 +14,11 @@ MapObserver::MapObserver(Device& device, const Scene& scene, MapKind kind, const
       kind_(kind),
       settings_(settings),
       // What is looked at shines by itself.
-      light_(device, data_, gpu_scene_, {1.0 / 60.0, 4, 0}) {}
+      light_(kept_light(device, data_, gpu_scene_, {1.0 / 60.0, 4, 0})) {}
 
 Image MapObserver::picture(const Camera& camera, const RenderSettings& settings, std::uint32_t samples) {
-    MapRenderer renderer(device_, data_, gpu_scene_, light_, camera, kind_, settings, settings_);
+    RasterRenderer renderer =
+        make_raster(device_, data_, gpu_scene_, light_, camera, kind_, settings, settings_);
     Film film(device_, settings.width, settings.height, "observed film");
     Progress progress;
     renderer.prepare(progress);
@@ -37,12 +40,12 @@ std::vector<Image> MapObserver::maps(const Camera& camera) {
     settings.width = settings.height = interop::TILE_SIZE;
     MapSettings all = settings_;
     all.captures_all = true;
-    MapRenderer renderer(device_, data_, gpu_scene_, light_, camera, kind_, settings, all);
+    RasterRenderer renderer = make_raster(device_, data_, gpu_scene_, light_, camera, kind_, settings, all);
     Progress progress;
     renderer.prepare(progress);
     std::vector<Image> images;
-    for (std::uint32_t face = 0; face < renderer.maps().maps_per_probe(); ++face) {
-        images.push_back(renderer.maps().map(0, face));
+    for (std::uint32_t face = 0; face < renderer.maps().maps().maps_per_probe(); ++face) {
+        images.push_back(renderer.maps().maps().map(0, face));
     }
     return images;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/light/direct/light_cache.h"
-#include "renderers/methods/map_renderer.h"
+#include "renderers/methods/raster_renderer.h"
 #include "support/estimate.h"
+#include "support/methods.h"
 
 namespace utsuri::test {
 
@@ -26,7 +26,7 @@ class MapObserver {
     GpuScene gpu_scene_;
     MapKind kind_;
     MapSettings settings_;
-    LightCache light_;
+    KeptLight light_;
     RenderStatistics statistics_;
 };
 

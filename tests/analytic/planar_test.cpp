@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // direct/planar: what plane mirrors show is known from plane geometry (references.md A6.1, A6.4).
-#include "renderers/light/direct/light_cache.h"
-#include "renderers/methods/planar_renderer.h"
+#include "renderers/methods/raster_renderer.h"
 #include "support/coded_room.h"
 #include "support/estimate.h"
 #include "support/light_scenes.h"
@@ -25,9 +24,9 @@ class Planar : public DeviceTest {
                         const std::vector<std::uint32_t>& portions) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        LightCache light(device(), data, gpu_scene, {1.0 / 60.0, 4, 0});
-        PlanarRenderer renderer(device(), data, gpu_scene, light, camera, MapKind::proxy, settings,
-                                MapSettings{24, 2, {}});
+        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 60.0, 4, 0});
+        RasterRenderer renderer = make_raster(device(), data, gpu_scene, light, camera,
+                                              {MapKind::proxy, true}, settings, MapSettings{24, 2, {}});
         Film film(device(), settings.width, settings.height, "test film");
         Progress progress;
         renderer.prepare(progress);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // direct/polygon-map with other polyhedra than the cube, and the pieces that polygons are cut into along
 // their faces.
-#include "renderers/light/direct/light_cache.h"
 #include "support/coded_room.h"
 #include "support/light_scenes.h"
+#include "support/methods.h"
 #include "support/test_device.h"
 
 #include "map_observer.h"
@@ -95,15 +95,16 @@ class PolyhedronPieces : public DeviceTest, public testing::WithParamInterface<c
     static Cut cut(const Scene& scene, const Camera& eye, const char* solid) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        LightCache light(device(), data, gpu_scene, {1.0 / 60.0, 4, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 60.0, 4, 0});
         MapSettings settings = settings_for(solid);
         settings.size = 1;
         settings.samples = 1;
-        MapRenderer renderer(device(), data, gpu_scene, light, eye, MapKind::polygon, picture_settings(),
-                             settings);
+        RasterRenderer renderer = make_raster(device(), data, gpu_scene, light, eye, MapKind::polygon,
+                                              picture_settings(), settings);
         Progress progress;
         renderer.prepare(progress);
-        return {renderer.reflectors()->pieces(), renderer.maps().reflectors(), renderer.maps().faces()};
+        return {reflectors_of(renderer)->pieces(), renderer.maps().maps().reflectors(),
+                renderer.maps().maps().faces()};
     }
 };
 

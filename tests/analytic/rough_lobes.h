@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/light/direct/light_cache.h"
-#include "renderers/methods/map_renderer.h"
+#include "renderers/methods/raster_renderer.h"
+#include "support/methods.h"
 #include "support/scenes.h"
 
 #include "interop/rough_map.h"
@@ -73,14 +73,14 @@ void with_rough_maps(Device& device, const Scene& scene, MapKind kind, const Map
                      const Use& use) {
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device, data);
-    LightCache light(device, data, gpu_scene, {1.0 / 60.0, 4, 0});
+    KeptLight light = kept_light(device, data, gpu_scene, {1.0 / 60.0, 4, 0});
     RenderSettings picture;
     picture.width = picture.height = interop::TILE_SIZE;
-    MapRenderer renderer(device, data, gpu_scene, light, look_at({0, 0, 3}, {0, 0, 0}), kind, picture,
-                         settings);
+    RasterRenderer renderer =
+        make_raster(device, data, gpu_scene, light, look_at({0, 0, 3}, {0, 0, 0}), kind, picture, settings);
     Progress progress;
     renderer.prepare(progress);
-    use(renderer.rough_maps());
+    use(renderer.maps().rough_maps());
 }
 
 }  // namespace utsuri::test

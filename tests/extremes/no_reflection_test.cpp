@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene without reflective surfaces pays nothing for reflection mapping, whatever is asked of it.
-#include "renderers/light/direct/light_cache.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 
@@ -30,17 +29,18 @@ class NoReflection : public DeviceTest {
     static Cost render(MapKind kind, const MapSettings& maps) {
         const SceneData data = prepare_scene_data(without_lobes());
         const GpuScene scene(device(), data);
-        LightCache light(device(), data, scene, {1.0 / 60.0, 4, 0});
+        KeptLight light = kept_light(device(), data, scene, {1.0 / 60.0, 4, 0});
         const std::uint64_t before = device().memory().current;
-        MapRenderer renderer(device(), data, scene, light, everything_camera(), kind, kSettings, maps);
+        RasterRenderer renderer =
+            make_raster(device(), data, scene, light, everything_camera(), kind, kSettings, maps);
         const std::uint64_t bytes = device().memory().current - before;
         Film film(device(), kSettings.width, kSettings.height, "film");
         Progress progress;
         renderer.prepare(progress);
         renderer.add_samples(film, 2, progress);
-        EXPECT_EQ(renderer.reflectors(), nullptr) << "kernels, pipelines and buffers of polygons";
-        EXPECT_TRUE(renderer.maps().infos().empty());
-        const std::uint64_t rays = renderer.statistics().prepare_counts.rays - light.cost().counts.rays;
+        EXPECT_EQ(reflectors_of(renderer), nullptr) << "kernels, pipelines and buffers of polygons";
+        EXPECT_TRUE(renderer.maps().maps().infos().empty());
+        const std::uint64_t rays = renderer.statistics().prepare_counts.rays - light.get().cost().counts.rays;
         return {bytes, rays, film.resolve()};
     }
 };
@@ -66,19 +66,21 @@ TEST_F(NoReflection, CostsNoMapsNoPolygonsAndNoRays) {
 TEST_F(NoReflection, WhileAMirrorCosts) {
     const SceneData data = prepare_scene_data(everything_scene());
     const GpuScene scene(device(), data);
-    LightCache light(device(), data, scene, {1.0 / 60.0, 4, 0});
+    KeptLight light = kept_light(device(), data, scene, {1.0 / 60.0, 4, 0});
     MapSettings maps;
     maps.size = 8;
     const std::uint64_t before = device().memory().current;
-    MapRenderer small(device(), data, scene, light, everything_camera(), MapKind::cube, kSettings, maps);
+    RasterRenderer small =
+        make_raster(device(), data, scene, light, everything_camera(), MapKind::cube, kSettings, maps);
     const std::uint64_t small_bytes = device().memory().current - before;
     maps.size = 64;
-    MapRenderer large(device(), data, scene, light, everything_camera(), MapKind::cube, kSettings, maps);
+    RasterRenderer large =
+        make_raster(device(), data, scene, light, everything_camera(), MapKind::cube, kSettings, maps);
     EXPECT_GT(device().memory().current - before, 2 * small_bytes);
     Progress progress;
     small.prepare(progress);
-    EXPECT_GT(small.statistics().prepare_counts.rays, light.cost().counts.rays);
-    EXPECT_NE(small.reflectors(), nullptr);
+    EXPECT_GT(small.statistics().prepare_counts.rays, light.get().cost().counts.rays);
+    EXPECT_NE(reflectors_of(small), nullptr);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include "renderers/light/direct/light_cache.h"
 #include "renderers/methods/prepared_maps.h"
 #include "renderers/reflection/maps/reflection_maps.h"
+#include "renderers/reflection/raster/drawn_samples.h"
+#include "renderers/reflection/raster/picture_pixels.h"
 #include "support/scenes.h"
 #include "support/test_device.h"
 
@@ -62,17 +64,36 @@ class DrawnFrames : public DeviceTest {
         FrameDrawer drawer(device(), data, gpu_scene.specialization(), bindings, nullptr, kWidth, kHeight);
         drawer.warm_up();
         const auto info = make_camera_info(camera, data.origin, kWidth, kHeight);
+        interop::FrameInfo shared = frame_info(data, kWidth, kHeight);
+        shared.seed = kSeed;
+        shared.specular_depth = 8;
+        const auto record = [&](const vk::raii::CommandBuffer& commands,
+                                const interop::FrameInfo& of_sample) {
+            drawer.record(commands, info, of_sample);
+        };
         if (samples.size() == 0) {
-            drawer.draw_frame({info, kSeed});
-            return drawer.frame();
+            device().run("draw a frame",
+                         [&](const vk::raii::CommandBuffer& commands) { record(commands, shared); });
+            return colours_of(picture_pixels(device(), drawer.picture()));
         }
         Film film(device(), kWidth, kHeight, "drawn film");
+        DrawnSamples drawn(device(), kWidth, kHeight, *bindings.at(interop::BINDING_MAP_STATES));
         for (const std::uint32_t count : samples) {
-            const auto counts =
-                drawer.add_samples(film, {info, kSeed}, count, progress, [] { return false; });
-            EXPECT_EQ(counts.nonfinite, 0u);
+            drawn.begin(film);
+            for (std::uint32_t done = 0; done < count; ++done) {
+                drawn.draw(film, shared, drawer.picture(), record);
+                film.note_samples(1);
+            }
+            EXPECT_EQ(drawn.counts().nonfinite, 0u);
         }
         return film.resolve();
+    }
+
+    static Image colours_of(const std::vector<glm::vec4>& pixels) {
+        Image image(kWidth, kHeight);
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            image.pixels[i] = glm::vec3(pixels[i]);
+        return image;
     }
 
     static Image traced(const Scene& scene, const Camera& camera, std::uint32_t samples) {

@@ -3,9 +3,9 @@
 #include "import/gltf.h"
 #include "renderers/film/aov.h"
 #include "renderers/film/frame_camera.h"
-#include "renderers/light/direct/light_cache.h"
-#include "renderers/methods/map_renderer.h"
+#include "renderers/methods/raster_renderer.h"
 #include "renderers/methods/ray_tracer.h"
+#include "support/methods.h"
 #include "support/scenes.h"
 #include "support/test_device.h"
 
@@ -25,7 +25,7 @@ constexpr RenderSettings kPicture{128, 96, 5, 8};
 constexpr std::uint32_t kDrawnSamples = 16;
 constexpr std::uint32_t kTracedSamples = 128;
 /// Twice as far apart as by default, with a quarter of the rays: what holds here holds by default.
-constexpr LightSettings kCoarse{1.0 / 150.0, 16, 0};
+constexpr LightSettings kCoarse{1.0 / 150.0, 16, kPicture.seed};
 
 /// The bounds that docs/architecture.md states; by default half of them hold.
 constexpr double kMostBias = 0.01;     ///< of the mean, which interpolation keeps and leaks do not
@@ -72,10 +72,11 @@ class LightAgreement : public DeviceTest {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
         const Camera camera = scene.cameras.front();
-        LightCache light(device(), data, gpu_scene, kCoarse);
+        KeptLight light = kept_light(device(), data, gpu_scene, kCoarse);
         MapSettings maps;
         maps.size = maps.samples = 1;  // reflections do not matter here
-        MapRenderer renderer(device(), data, gpu_scene, light, camera, MapKind::cube, kPicture, maps);
+        RasterRenderer renderer =
+            make_raster(device(), data, gpu_scene, light, camera, MapKind::cube, kPicture, maps);
         Progress progress;
         renderer.prepare(progress);
         Film drawn(device(), kPicture.width, kPicture.height, "drawn film");

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Predicted errors of look-ups hold what rays measure: over scenes, methods and random eyes.
 #include "import/gltf.h"
-#include "renderers/light/direct/light_cache.h"
-#include "renderers/methods/map_renderer.h"
+#include "renderers/methods/raster_renderer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 
@@ -83,7 +82,7 @@ constexpr std::array kKinds = {std::pair{MapKind::polygon, "polygon"}, std::pair
 
 class PredictedErrors : public DeviceTest {
   protected:
-    static Tally tally(const SceneData& data, const GpuScene& gpu_scene, SurfaceLight& light,
+    static Tally tally(const SceneData& data, const GpuScene& gpu_scene, KeptLight& light,
                        const std::vector<Camera>& eyes, MapKind kind, std::uint32_t most_probes) {
         MapSettings settings;
         settings.most_probes = most_probes;
@@ -93,7 +92,8 @@ class PredictedErrors : public DeviceTest {
         RenderSettings picture;
         picture.width = kWidth;
         picture.height = kHeight;
-        MapRenderer renderer(device(), data, gpu_scene, light, eyes.front(), kind, picture, settings);
+        RasterRenderer renderer =
+            make_raster(device(), data, gpu_scene, light, eyes.front(), kind, picture, settings);
         Progress progress;
         renderer.prepare(progress);
         Tally result;
@@ -107,7 +107,8 @@ class PredictedErrors : public DeviceTest {
     static void expect_bounds(const Scene& scene, const Trial& trial) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        LightCache light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});  // light does not matter here
+        KeptLight light =
+            kept_light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});  // light does not matter here
         const std::vector<Camera> eyes = eyes_before_reflectors(scene, data, trial.eyes, 1);
         for (const auto& [kind, name] : kKinds) {
             Tally result = tally(data, gpu_scene, light, eyes, kind, trial.most_probes);
@@ -143,7 +144,7 @@ class TracedPixels : public DeviceTest {
     static View view(MapKind kind, float tolerance) {
         const SceneData data = prepare_scene_data(everything_scene());
         const GpuScene gpu_scene(device(), data);
-        LightCache light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
         MapSettings settings;
         settings.size = 64;
         settings.samples = 1;
@@ -152,7 +153,8 @@ class TracedPixels : public DeviceTest {
         RenderSettings picture;
         picture.width = kWidth;
         picture.height = kHeight;
-        MapRenderer renderer(device(), data, gpu_scene, light, everything_camera(), kind, picture, settings);
+        RasterRenderer renderer =
+            make_raster(device(), data, gpu_scene, light, everything_camera(), kind, picture, settings);
         Progress progress;
         renderer.prepare(progress);
         return {renderer.traced_pixels(), renderer.predict_errors()};

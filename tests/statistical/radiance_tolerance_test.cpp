@@ -2,8 +2,7 @@
 // What hybrid looks up is as bright as what it traces, give or take the tolerance: over scenes and random
 // eyes.
 #include "import/gltf.h"
-#include "renderers/light/direct/light_cache.h"
-#include "renderers/methods/map_renderer.h"
+#include "renderers/methods/raster_renderer.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 
@@ -76,7 +75,7 @@ class RadianceTolerance : public DeviceTest {
     };
 
     /// A sample at the centre of each pixel, with the same light whatever the tolerance.
-    static Views draw(const SceneData& data, const GpuScene& gpu_scene, SurfaceLight& light,
+    static Views draw(const SceneData& data, const GpuScene& gpu_scene, KeptLight& light,
                       const std::vector<Camera>& eyes, Tolerance tolerance) {
         MapSettings settings;
         settings.size = 128;
@@ -85,8 +84,8 @@ class RadianceTolerance : public DeviceTest {
         RenderSettings picture;
         picture.width = 96;
         picture.height = 72;
-        MapRenderer renderer(device(), data, gpu_scene, light, eyes.front(), MapKind::hybrid, picture,
-                             settings);
+        RasterRenderer renderer =
+            make_raster(device(), data, gpu_scene, light, eyes.front(), MapKind::hybrid, picture, settings);
         Progress progress;
         renderer.prepare(progress);
         Views result;
@@ -121,7 +120,7 @@ class RadianceTolerance : public DeviceTest {
         const Scene scene = with_black_mirrors(original);
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        LightCache light(device(), data, gpu_scene, {1.0 / 60.0, 4, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 60.0, 4, 0});
         const std::vector<Camera> eyes = eyes_before_reflectors(scene, data, kEyes, 1);
         const Views truth = draw(data, gpu_scene, light, eyes, {Tolerance::Of::place, 0.0});
         EXPECT_EQ(truth.counts.traced, truth.counts.lookups);
@@ -151,7 +150,7 @@ class RadianceTolerance : public DeviceTest {
     static double traced_share(const Scene& scene, double tolerance) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        LightCache light(device(), data, gpu_scene, {1.0 / 20.0, 4, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 20.0, 4, 0});
         const FrameCounts counts = draw(data, gpu_scene, light, {look_at({1, 2.8, 4}, {2, 1.5, 1}, 0.6)},
                                         {Tolerance::Of::radiance, tolerance})
                                        .counts;

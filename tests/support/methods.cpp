@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/methods.h"
 
-#include "renderers/film/frame_camera.h"
+#include "renderers/methods/method.h"
 
 #include <glm/geometric.hpp>
 
@@ -33,20 +33,32 @@ std::vector<DrawnMethod> drawn_methods() {
     return methods;
 }
 
+KeptLight kept_light(Device& device, const SceneData& data, const GpuScene& scene,
+                     const LightSettings& settings) {
+    return {device, data, scene, light_methods().front(), settings};
+}
+
+RasterRenderer make_raster(Device& device, const SceneData& data, const GpuScene& scene, KeptLight& light,
+                           const Camera& camera, const DrawnMethod& method, const RenderSettings& settings,
+                           const MapSettings& maps) {
+    return {{device, data, scene, light_methods().front(), light, camera}, method, settings, maps};
+}
+
+const ReflectorDrawer* reflectors_of(const RasterRenderer& renderer) {
+    return dynamic_cast<const MappedView&>(renderer.view()).reflectors();
+}
+
 DrawnScene::DrawnScene(Device& device, const Scene& scene)
     : device_(device),
       data_(prepare_scene_data(scene)),
       gpu_scene_(device, data_),
-      light_(device, data_, gpu_scene_, {1.0 / 60.0, 4, 0}) {}
+      light_(kept_light(device, data_, gpu_scene_, {1.0 / 60.0, 4, 0})) {}
 
 std::unique_ptr<Renderer> DrawnScene::renderer(const DrawnMethod& method, const Camera& camera,
                                                const RenderSettings& settings, const MapSettings& maps) {
-    if (method.draws_images) {
-        return std::make_unique<PlanarRenderer>(device_, data_, gpu_scene_, light_, camera, method.kind,
-                                                settings, maps);
-    }
-    return std::make_unique<MapRenderer>(device_, data_, gpu_scene_, light_, camera, method.kind, settings,
-                                         maps);
+    return std::make_unique<RasterRenderer>(
+        RendererInput{device_, data_, gpu_scene_, light_methods().front(), light_, camera}, method, settings,
+        maps);
 }
 
 Traced DrawnScene::render(const DrawnMethod& method, const Camera& camera, const RenderSettings& settings,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/light/direct/light_cache.h"
-#include "renderers/methods/map_renderer.h"
-#include "renderers/methods/planar_renderer.h"
+#include "renderers/methods/mapped_view.h"
+#include "renderers/methods/method.h"
+#include "renderers/methods/raster_renderer.h"
 #include "support/scenes.h"
 
 namespace utsuri::test {
@@ -13,16 +13,25 @@ inline constexpr MapKind kMapKinds[] = {MapKind::polygon, MapKind::sphere,   Map
                                         MapKind::proxy,   MapKind::distance, MapKind::hybrid};
 
 /// A method that draws: how it looks reflections up, and whether it draws what plane mirrors show.
-struct DrawnMethod {
-    MapKind kind;
-    bool draws_images = false;
-
-    DrawnMethod(MapKind k, bool images = false) : kind(k), draws_images(images) {}
+struct DrawnMethod : RasterMethod {
+    DrawnMethod(MapKind k, bool images = false) : RasterMethod{k, images} {}
 };
 std::ostream& operator<<(std::ostream& stream, const DrawnMethod& method);
 
 /// All of them.
 std::vector<DrawnMethod> drawn_methods();
+
+/// Light kept on the surfaces of a scene.
+KeptLight kept_light(Device& device, const SceneData& data, const GpuScene& scene,
+                     const LightSettings& settings);
+
+/// A renderer of a method. What it is made from must outlive it.
+RasterRenderer make_raster(Device& device, const SceneData& data, const GpuScene& scene, KeptLight& light,
+                           const Camera& camera, const DrawnMethod& method, const RenderSettings& settings,
+                           const MapSettings& maps);
+
+/// What draws the reflectors of a method that draws no images; none where nothing is reflective.
+const ReflectorDrawer* reflectors_of(const RasterRenderer& renderer);
 
 /// A scene on the device with light for all methods: coarse, where it does not matter how diffuse surfaces
 /// look.
@@ -40,7 +49,7 @@ class DrawnScene {
     Device& device_;
     SceneData data_;
     GpuScene gpu_scene_;
-    LightCache light_;
+    KeptLight light_;
 };
 
 /// One picture of a scene: see DrawnScene.

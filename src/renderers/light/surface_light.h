@@ -32,8 +32,9 @@ class SurfaceLight {
     /// Simulates the light of the scene as it is, unless it is there.
     /// @throws Interrupted if progress says so; the light is not there then
     virtual void fill(Progress& progress) = 0;
-    /// The same after a change that the scene on the device has taken over; what the change cannot have
-    /// reached is kept. Buffers may be others afterwards: bindings() are to be asked for again.
+    /// The same after a change that the scene on the device has taken over, if the light was there before it;
+    /// what the change cannot have reached is kept. Buffers may be others afterwards: bindings() are to be
+    /// asked for again.
     /// @throws Interrupted if progress says so; the light is not there then
     virtual void update(const SceneChange& change, Progress& progress) = 0;
 

@@ -72,34 +72,18 @@ PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene
     if (radiance_bounds_ && former->radiance_bounds_) radiance_bounds_->take_over(*former->radiance_bounds_);
 }
 
-void PreparedMaps::prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
-                           RenderStatistics& statistics, Progress& progress) {
-    light_.fill(progress);
-    count_light(statistics);
-    capture(eye, draw, statistics, progress);
-}
-
-void PreparedMaps::update(const SceneChange& change, const Camera& eye,
-                          const std::function<void(const glm::vec2& jitter)>& draw,
-                          RenderStatistics& statistics, Progress& progress) {
-    const bool lit_otherwise = change.geometry || change.lights;
-    light_.update(change, progress);
-    if (lit_otherwise) count_light(statistics);
-    const SeenChanges changes(data_, change, lit_otherwise ? light_.changed() : std::vector<std::uint32_t>());
+void PreparedMaps::update(const SceneChange& change, const Camera& eye, RenderStatistics& statistics,
+                          Progress& progress) {
+    const bool is_lit_otherwise = change.geometry || change.lights;
+    const SeenChanges changes(data_, change,
+                              is_lit_otherwise ? light_.changed() : std::vector<std::uint32_t>());
     maps_.forget(changes);
     if (distances_) distances_->forget(changes);
     if (radiance_bounds_) radiance_bounds_->forget(changes);
-    capture(eye, draw, statistics, progress);
+    prepare(eye, statistics, progress);
 }
 
-void PreparedMaps::count_light(RenderStatistics& statistics) const {
-    statistics.prepare_seconds += light_.cost().seconds;
-    statistics.compile_seconds += light_.cost().compile_seconds;
-    accumulate(statistics.prepare_counts, light_.cost().counts);
-}
-
-void PreparedMaps::capture(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
-                           RenderStatistics& statistics, Progress& progress) {
+void PreparedMaps::prepare(const Camera& eye, RenderStatistics& statistics, Progress& progress) {
     FrameCounts& counts = statistics.prepare_counts;
     const auto start = std::chrono::steady_clock::now();
     double compile_seconds = 0.0;
@@ -110,7 +94,7 @@ void PreparedMaps::capture(const Camera& eye, const std::function<void(const glm
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     statistics.prepare_seconds += seconds - compile_seconds;
     statistics.compile_seconds += compile_seconds;
-    capture_.prepare(eye, draw, statistics, progress);
+    capture_.prepare(eye, statistics);
 }
 
 Bindings PreparedMaps::bindings() const {

@@ -10,7 +10,6 @@
 #include "renderers/reflection/maps/map_capture.h"
 #include "renderers/reflection/maps/reflection_maps.h"
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,7 +23,7 @@ RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps);
 class PreparedMaps {
   public:
     /// `device`, `data`, `scene` and `light` must outlive this.
-    /// @param light is filled by the first that needs it; its cost counts as if it had been filled here
+    /// @param light is filled before prepare()
     /// @param eye the first one
     /// @param instances that get reflection maps, ascending
     /// @param former of the scene before it changed: what they are and update() need not make anew is taken
@@ -36,20 +35,17 @@ class PreparedMaps {
     PreparedMaps(const PreparedMaps&) = delete;
     PreparedMaps& operator=(const PreparedMaps&) = delete;
 
-    /// Fills and captures what drawing looks up, of reflection maps those that the first view does, and adds
-    /// what that took to the statistics.
-    /// @param draw draws the view with its samples at a place in their pixels, in [0, 1)^2
+    /// Fills and captures what drawing looks up, but for reflection maps: those are captured when a picture
+    /// has looked them up. Adds what that took to the statistics.
     /// @throws Interrupted if progress says so
-    void prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
-                 RenderStatistics& statistics, Progress& progress);
-    /// The same after a change of the scene that these were made with `former` maps for: makes those anew
-    /// that see something of the change, and of reflection maps those that the present view looks up.
-    void update(const SceneChange& change, const Camera& eye,
-                const std::function<void(const glm::vec2& jitter)>& draw, RenderStatistics& statistics,
+    void prepare(const Camera& eye, RenderStatistics& statistics, Progress& progress);
+    /// The same after a change of the scene that these were made with `former` maps for, and the light has
+    /// taken over: what sees nothing of the change is kept.
+    void update(const SceneChange& change, const Camera& eye, RenderStatistics& statistics,
                 Progress& progress);
-    /// See MapCapture::complete().
-    bool complete(RenderStatistics& statistics, const Progress& progress) {
-        return capture_.complete(statistics, progress);
+    /// See MapCapture::capture_missing().
+    bool capture_missing(RenderStatistics& statistics, Progress& progress) {
+        return capture_.capture_missing(statistics, progress);
     }
 
     /// Of the scene and of all that is looked up.
@@ -61,11 +57,6 @@ class PreparedMaps {
     [[nodiscard]] bool has_distances() const { return distances_.has_value(); }
 
   private:
-    void count_light(RenderStatistics& statistics) const;
-    /// Captures what is not there yet.
-    void capture(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
-                 RenderStatistics& statistics, Progress& progress);
-
     const SceneData& data_;
     const GpuScene& scene_;
     SurfaceLight& light_;

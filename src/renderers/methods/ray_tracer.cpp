@@ -37,6 +37,7 @@ void RayTracer::update(const SceneChange& change, Progress& progress) {
     restart_statistics();
     if (kept_light_ == nullptr || change.empty()) return;
     kept_light_->update(change, progress);
+    kept_light_->fill(progress);
     if (change.geometry || change.lights) count_light(kept_light_->cost());
     // The light may lie in other buffers now.
     kernel_ = make_kernel();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reflection axis: a new reflection is what renders it and a line here.
-#include "renderers/methods/map_renderer.h"
 #include "renderers/methods/method.h"
-#include "renderers/methods/planar_renderer.h"
+#include "renderers/methods/raster_renderer.h"
+#include "renderers/reflection/planar/plane_mirrors.h"
 #include "renderers/methods/ray_tracer.h"
 
 #include <array>
@@ -18,15 +18,13 @@ std::unique_ptr<Renderer> make_tracer(const RendererInput& input, const RenderSe
 template <MapKind kind>
 std::unique_ptr<Renderer> make_mapped(const RendererInput& input, const RenderSettings& settings,
                                       const MapSettings& maps) {
-    return std::make_unique<MapRenderer>(input.device, input.data, input.scene, input.kept_light.get(),
-                                         input.camera, kind, settings, maps);
+    return std::make_unique<RasterRenderer>(input, RasterMethod{kind, false}, settings, maps);
 }
 
 template <MapKind kind>
 std::unique_ptr<Renderer> make_imaged(const RendererInput& input, const RenderSettings& settings,
                                       const MapSettings& maps) {
-    return std::make_unique<PlanarRenderer>(input.device, input.data, input.scene, input.kept_light.get(),
-                                            input.camera, kind, settings, maps);
+    return std::make_unique<RasterRenderer>(input, RasterMethod{kind, true}, settings, maps);
 }
 
 /// Images in plane mirrors show all in its place. A tolerance of radiance they need not keep, as rough

@@ -116,12 +116,9 @@ void LightCache::fill(Progress& progress) {
 
 void LightCache::update(const SceneChange& change, Progress& progress) {
     if (is_filled()) return;
-    const ChangedSpace changed = change.lights ? all_space() : changed_space(data_, change);
     Lattices planned = plan();
-    if (!revision_) {
-        make_buffers(std::move(planned));
-        return fill(progress);
-    }
+    if (!revision_) return make_buffers(std::move(planned));
+    const ChangedSpace changed = change.lights ? all_space() : changed_space(data_, change);
     const Points before = points();
     const Lattices were = lattices_;
     const bool keeps = may_keep(planned, changed);

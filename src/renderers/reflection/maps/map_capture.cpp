@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/maps/map_capture.h"
 
-#include "base/error.h"
-
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/resolve_map.h"
 #include "kernels/trace_kept.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 
 namespace utsuri {
@@ -29,16 +26,6 @@ Bindings tracing_bindings(const GpuScene& scene, const SurfaceLight& light) {
     return bindings;
 }
 
-/// Tells nothing of its own, and stops when another does.
-class StopsWith : public Progress {
-  public:
-    explicit StopsWith(const Progress& other) : other_(other) {}
-    [[nodiscard]] bool cancelled() const override { return other_.cancelled(); }
-
-  private:
-    const Progress& other_;
-};
-
 }  // namespace
 
 MapCapture::MapCapture(Device& device, const GpuScene& scene, const SurfaceLight& light, ReflectionMaps& maps,
@@ -51,8 +38,7 @@ MapCapture::MapCapture(Device& device, const GpuScene& scene, const SurfaceLight
       samples_(map_settings.samples),
       captures_all_(map_settings.captures_all) {}
 
-void MapCapture::prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
-                         RenderStatistics& statistics, Progress& progress) {
+void MapCapture::prepare(const Camera& eye, RenderStatistics& statistics) {
     statistics.maps = maps_.map_count();
     statistics.captured_maps = maps_.captured_count();
     if (statistics.maps == 0) return;
@@ -63,32 +49,13 @@ void MapCapture::prepare(const Camera& eye, const std::function<void(const glm::
     resolver_.emplace(device_, "resolve_map", kernels::resolve_map, Specialization{},
                       sizeof(interop::ResolveMapPush));
     tracer_->warm_up(film_of(maps_.stride(0)));
-    const auto compiled = std::chrono::steady_clock::now();
-    statistics.compile_seconds += std::chrono::duration<double>(compiled - start).count();
-
+    statistics.compile_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (captures_all_) maps_.want_all();
-    // What no sample at a corner of a pixel looks up, those in between hardly do; if one does, its map is
-    // captured then.
-    constexpr float kLast = 0x1.fffffep-1f;
-    constexpr std::array kCorners = {glm::vec2(0.0f, 0.0f), glm::vec2(kLast, 0.0f), glm::vec2(0.0f, kLast),
-                                     glm::vec2(kLast, kLast)};
-    for (const glm::vec2& corner : kCorners) {
-        do {
-            if (progress.cancelled()) throw Interrupted();
-            draw(corner);
-        } while (capture_wanted(statistics, progress));
-    }
-    statistics.prepare_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - compiled).count();
 }
 
-bool MapCapture::complete(RenderStatistics& statistics, const Progress& progress) {
+bool MapCapture::capture_missing(RenderStatistics& statistics, Progress& progress) {
     if (!tracer_) return false;
-    StopsWith silent(progress);
-    return capture_wanted(statistics, silent);
-}
-
-bool MapCapture::capture_wanted(RenderStatistics& statistics, Progress& progress) {
     const std::vector<std::uint32_t> wanted = maps_.wanted();
     if (wanted.empty()) return false;
     std::vector<std::uint32_t> done;

@@ -10,7 +10,6 @@
 
 #include "base/progress.h"
 
-#include <functional>
 #include <optional>
 
 namespace utsuri {
@@ -23,21 +22,16 @@ class MapCapture {
     MapCapture(Device& device, const GpuScene& scene, const SurfaceLight& light, ReflectionMaps& maps,
                const RenderSettings& settings, const MapSettings& map_settings);
 
-    /// Compiles what capturing needs, and captures what a view looks up, or all maps if the settings say so.
-    /// The light must be filled.
+    /// Compiles what capturing needs, and asks for all maps if the settings say so. The light must be filled.
     /// @param eye whose axes sphere maps follow from then on
-    /// @param draw draws the view with its samples at a place in their pixels, in [0, 1)^2
-    /// @throws Interrupted if progress says so
-    void prepare(const Camera& eye, const std::function<void(const glm::vec2& jitter)>& draw,
-                 RenderStatistics& statistics, Progress& progress);
+    void prepare(const Camera& eye, RenderStatistics& statistics);
 
-    /// Captures the maps that a picture looked up and lacked, or fewer once `progress` is cancelled: it shows
-    /// nothing in their place, and must be drawn again.
+    /// Captures the maps that a picture looked up and lacked, or fewer once `progress` is cancelled. Such a
+    /// picture shows nothing in their place, and must be drawn again.
     /// @returns whether there were any
-    bool complete(RenderStatistics& statistics, const Progress& progress);
+    bool capture_missing(RenderStatistics& statistics, Progress& progress);
 
   private:
-    bool capture_wanted(RenderStatistics& statistics, Progress& progress);
     [[nodiscard]] FrameCounts capture(std::uint32_t map);
     /// A film of that many pixels along an edge: the last one, if maps of one size follow one another.
     Film& film_of(std::uint32_t edge);

@@ -32,7 +32,7 @@ struct MapSettings {
     Tolerance tolerance = {};      ///< of MapKind::hybrid
     bool fitted = false;           ///< each probe's maps only as fine as pixels of the first view need them
     bool captures_all = false;     ///< capture maps that nothing looks up yet, too, so that no frame waits
-    bool predicts_errors = false;  ///< keep what MapRenderer::predict_errors() needs, whatever the method
+    bool predicts_errors = false;  ///< keep what Renderer::predict_errors() needs, whatever the method
 };
 
 }  // namespace utsuri

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/planar/planar_drawer.h"
 
-#include "renderers/reflection/raster/picture_pixels.h"
+#include "renderers/reflection/raster/drawn_samples.h"
 
 #include "interop/bindings.h"
 
@@ -19,7 +19,6 @@ PlanarDrawer::PlanarDrawer(Device& device, const SceneData& data, const PlaneMir
                            const Specialization& specialization, const Bindings& bindings,
                            std::uint32_t width, std::uint32_t height)
     : device_(drawing_device(device)),
-      info_(frame_info(data, width, height)),
       frame_(*bindings.at(interop::BINDING_FRAME)),
       background_(background_of(data)),
       colour_(device, width, height, kColourFormat, "drawn picture"),
@@ -27,7 +26,6 @@ PlanarDrawer::PlanarDrawer(Device& device, const SceneData& data, const PlaneMir
       depth_(device, width, height, kDepthFormat, "depth of the drawn picture"),
       drawn_before_(device, picture_bytes(width, height), "picture before an image"),
       throughput_before_(device, picture_bytes(width, height), "throughput before an image"),
-      samples_(device, width, height, *bindings.at(interop::BINDING_MAP_STATES)),
       drawer_(device, data, mirrors, curved, kind, faces, specialization, with_pictures(bindings)) {}
 
 Bindings PlanarDrawer::with_pictures(Bindings bindings) const {
@@ -44,37 +42,8 @@ void PlanarDrawer::warm_up() {
     });
 }
 
-interop::FrameInfo PlanarDrawer::frame_of(const ImageSettings& settings) const {
-    interop::FrameInfo frame = info_;
-    frame.seed = settings.seed;
-    frame.specular_depth = settings.specular_depth;
-    frame.tolerance = settings.tolerance;
-    return frame;
-}
-
-std::vector<glm::vec4> PlanarDrawer::pixels() const {
-    return picture_pixels(device_, colour_);
-}
-
-void PlanarDrawer::draw_frame(const std::vector<MirrorImage>& images, const ImageSettings& settings,
-                              const glm::vec2& jitter) {
-    interop::FrameInfo frame = frame_of(settings);
-    frame.jitter = jitter;
-    device_.run("draw a frame",
-                [&](const vk::raii::CommandBuffer& commands) { draw(commands, images, frame); });
-}
-
-FrameCounts PlanarDrawer::add_samples(Film& film, const std::vector<MirrorImage>& images,
-                                      const ImageSettings& settings, std::uint32_t count, Progress& progress,
-                                      const CompleteMaps& complete) {
-    const auto record = [&](const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) {
-        draw(commands, images, frame);
-    };
-    return samples_.add(film, frame_of(settings), count, progress, colour_, record, complete);
-}
-
-void PlanarDrawer::draw(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,
-                        const interop::FrameInfo& frame) const {
+void PlanarDrawer::record(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,
+                          const interop::FrameInfo& frame) const {
     frame_.record_update(commands, std::as_bytes(std::span(&frame, 1)));
     std::optional<std::array<float, 4>> background = background_;
     for (std::uint32_t next = 0; next < images.size();) {

@@ -62,38 +62,36 @@ DrawnSamples::DrawnSamples(Device& device, std::uint32_t width, std::uint32_t he
       add_kernel_(device, "add_drawn", kernels::add_drawn, {}, sizeof(interop::AddDrawnPush)),
       map_states_(map_states) {}
 
-FrameCounts DrawnSamples::add(Film& film, interop::FrameInfo frame, std::uint32_t count, Progress& progress,
-                              const Attachment& colour,
-                              const std::function<void(const vk::raii::CommandBuffer& commands,
-                                                       const interop::FrameInfo& frame)>& record,
-                              const CompleteMaps& complete) {
-    std::vector<BindingSet> sets;
+void DrawnSamples::begin(const Film& film) {
+    sets_.clear();
     for (const Film::Band& band : film.bands()) {
-        sets.push_back(add_kernel_.bind({{interop::BINDING_FILM, &band.pixels},
-                                         {interop::BINDING_DRAWN, &drawn_},
-                                         {interop::BINDING_COUNTERS, &counters_},
-                                         {interop::BINDING_MAP_STATES, &map_states_}}));
+        sets_.push_back(add_kernel_.bind({{interop::BINDING_FILM, &band.pixels},
+                                          {interop::BINDING_DRAWN, &drawn_},
+                                          {interop::BINDING_COUNTERS, &counters_},
+                                          {interop::BINDING_MAP_STATES, &map_states_}}));
     }
     counters_.fill_with_zero();
-    FrameCounts counts;
-    for (std::uint32_t done = 0; done < count && !progress.cancelled();) {
-        frame.sample_index = film.samples();
-        frame.jitter =
-            sample_2d(sampler_key({0, 0}, frame.seed, frame.sample_index & 1u), frame.sample_index >> 1, 0);
-        counts.gpu_seconds += device_.run("draw the scene", [&](const vk::raii::CommandBuffer& commands) {
-            record(commands, frame);
-            for (std::size_t i = 0; i < sets.size(); ++i) {
-                const Film::Band& band = film.bands()[i];
-                colour.copy_rows(commands, band.first_row, band.rows, drawn_);
-                const interop::AddDrawnPush add{film.width() * band.rows, frame.sample_index};
-                add_kernel_.dispatch(commands, sets[i], add, (add.pixels + 63) / 64);
-            }
-        });
-        if (complete()) continue;
-        film.note_samples(1);
-        progress.update(++done, count);
-    }
+}
+
+double DrawnSamples::draw(const Film& film, interop::FrameInfo frame, const Attachment& colour,
+                          const RecordPicture& record) {
+    frame.sample_index = film.samples();
+    frame.jitter =
+        sample_2d(sampler_key({0, 0}, frame.seed, frame.sample_index & 1u), frame.sample_index >> 1, 0);
+    return device_.run("draw the scene", [&](const vk::raii::CommandBuffer& commands) {
+        record(commands, frame);
+        for (std::size_t i = 0; i < sets_.size(); ++i) {
+            const Film::Band& band = film.bands()[i];
+            colour.copy_rows(commands, band.first_row, band.rows, drawn_);
+            const interop::AddDrawnPush add{film.width() * band.rows, frame.sample_index};
+            add_kernel_.dispatch(commands, sets_[i], add, (add.pixels + 63) / 64);
+        }
+    });
+}
+
+FrameCounts DrawnSamples::counts() const {
     const auto totals = counters_.download_records<interop::Counters>(1).front();
+    FrameCounts counts;
     counts.nonfinite = totals.nonfinite;
     counts.lookups = totals.lookups;
     counts.traced = totals.traced;

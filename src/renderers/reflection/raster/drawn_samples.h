@@ -5,13 +5,13 @@
 #include "renderers/film/film_kernel.h"
 #include "renderers/scene/scene_data.h"
 
-#include "base/progress.h"
 #include "gpu/raster_pipeline.h"
 
 #include "interop/raster.h"
 
 #include <array>
 #include <functional>
+#include <vector>
 
 namespace utsuri {
 
@@ -28,26 +28,28 @@ float near_plane(const SceneData& data);
 /// caller.
 interop::FrameInfo frame_info(const SceneData& data, std::uint32_t width, std::uint32_t height);
 
-/// See DrawnSamples::add().
-using CompleteMaps = std::function<bool()>;
+/// Records the drawing of one picture, told what is the same for all its draws.
+using RecordPicture =
+    std::function<void(const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame)>;
 
 /// Draws pictures and adds them to a film, a sample of each pixel a time. Samples of one picture lie at one
 /// place in their pixels, which a Sobol sequence moves from picture to picture.
 class DrawnSamples {
   public:
-    /// @param map_states BINDING_MAP_STATES of the maps that are looked up
+    /// @param map_states BINDING_MAP_STATES of the maps that are looked up; must outlive this
     DrawnSamples(Device& device, std::uint32_t width, std::uint32_t height, const Buffer& map_states);
 
+    /// Starts to count for samples of a film.
+    void begin(const Film& film);
+    /// Draws one picture and adds it to the film, unless it lacks a map that it looked up: then the film
+    /// stays as it is.
     /// @param frame of the picture, the place of the sample left out
     /// @param colour what `record` draws into
-    /// @param record records the drawing of one picture
-    /// @param complete captures the maps that a picture lacked and tells whether there were any: the picture
-    /// was not added then, and is drawn again
-    FrameCounts add(Film& film, interop::FrameInfo frame, std::uint32_t count, Progress& progress,
-                    const Attachment& colour,
-                    const std::function<void(const vk::raii::CommandBuffer& commands,
-                                             const interop::FrameInfo& frame)>& record,
-                    const CompleteMaps& complete);
+    /// @returns seconds on the device
+    double draw(const Film& film, interop::FrameInfo frame, const Attachment& colour,
+                const RecordPicture& record);
+    /// Since begin(), the time on the device left out.
+    [[nodiscard]] FrameCounts counts() const;
 
   private:
     Device& device_;
@@ -55,6 +57,7 @@ class DrawnSamples {
     Buffer counters_;
     Kernel add_kernel_;
     const Buffer& map_states_;
+    std::vector<BindingSet> sets_;  ///< of the film's bands
 };
 
 }  // namespace utsuri

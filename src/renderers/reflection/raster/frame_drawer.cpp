@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/raster/frame_drawer.h"
 
-#include "renderers/reflection/raster/picture_pixels.h"
+#include "renderers/reflection/raster/drawn_samples.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/draw_depth_vert.h"
 #include "kernels/draw_scene_frag.h"
 #include "kernels/draw_scene_vert.h"
-
-#include <algorithm>
 
 namespace utsuri {
 FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
@@ -22,12 +20,10 @@ FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& 
                          const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height)
     : device_(drawing_device(device)),
       reflectors_(reflectors),
-      info_(frame_info(data, width, height)),
       frame_(*bindings.at(interop::BINDING_FRAME)),
       background_(background_of(data)),
       colour_(device, width, height, kColourFormat, "drawn picture"),
       depth_(device, width, height, kDepthFormat, "depth of the drawn picture"),
-      samples_(device, width, height, *bindings.at(interop::BINDING_MAP_STATES)),
       triangles_(make_buffer<std::uint32_t>(device, list.triangles, "draw list")),
       triangle_count_(static_cast<std::uint32_t>(list.triangles.size())),
       depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::ImagePush)),
@@ -67,14 +63,6 @@ void FrameDrawer::warm_up() {
     });
 }
 
-interop::FrameInfo FrameDrawer::frame_of(const DrawSettings& settings) const {
-    interop::FrameInfo frame = info_;
-    frame.seed = settings.seed;
-    frame.specular_depth = settings.specular_depth;
-    frame.tolerance = settings.tolerance;
-    return frame;
-}
-
 void FrameDrawer::record(const vk::raii::CommandBuffer& commands, const interop::CameraInfo& camera,
                          const interop::FrameInfo& frame) const {
     frame_.record_update(commands, std::as_bytes(std::span(&frame, 1)));
@@ -87,33 +75,6 @@ void FrameDrawer::record(const vk::raii::CommandBuffer& commands, const interop:
         for (const Batch& batch : batches_)
             batch.pipeline.draw(commands, batch.bindings, view, batch.first, batch.count);
     });
-}
-
-void FrameDrawer::draw_frame(const DrawSettings& settings, const glm::vec2& jitter) {
-    interop::FrameInfo frame = frame_of(settings);
-    frame.jitter = jitter;
-    device_.run("draw a frame",
-                [&](const vk::raii::CommandBuffer& commands) { record(commands, settings.camera, frame); });
-}
-
-Image FrameDrawer::frame() const {
-    Image image(colour_.width(), colour_.height());
-    const std::vector<glm::vec4> pixels = picture_pixels(device_, colour_);
-    std::transform(pixels.begin(), pixels.end(), image.pixels.begin(),
-                   [](const glm::vec4& pixel) { return glm::vec3(pixel); });
-    return image;
-}
-
-std::vector<float> FrameDrawer::traced_pixels() const {
-    return traced_pixels_of(picture_pixels(device_, colour_));
-}
-
-FrameCounts FrameDrawer::add_samples(Film& film, const DrawSettings& settings, std::uint32_t count,
-                                     Progress& progress, const CompleteMaps& complete) {
-    const auto record_frame = [&](const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) {
-        record(commands, settings.camera, frame);
-    };
-    return samples_.add(film, frame_of(settings), count, progress, colour_, record_frame, complete);
 }
 
 }  // namespace utsuri

@@ -222,7 +222,7 @@ void ReflectorDrawer::run_twice(const vk::raii::CommandBuffer& commands, const T
     runs.write.dispatch(commands, runs.write_set, clip_, groups(clip_.polygons));
 }
 
-double ReflectorDrawer::look_from(const interop::ReflectVerticesPush& eye) {
+double ReflectorDrawer::set_eye(const interop::ReflectVerticesPush& eye) {
     return device_.run("reflect vertices", [&](const vk::raii::CommandBuffer& commands) {
         interop::ReflectVerticesPush push = eye;
         push.count = vertex_count_;

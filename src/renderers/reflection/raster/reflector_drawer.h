@@ -34,7 +34,7 @@ class ReflectorDrawer {
 
     /// The pass over vertices and polygons: what a new eye costs.
     /// @returns seconds on the device
-    double look_from(const interop::ReflectVerticesPush& eye);
+    double set_eye(const interop::ReflectVerticesPush& eye);
 
     /// Records a draw of one triangle by each pipeline, so that drivers compile them.
     void warm_up(const vk::raii::CommandBuffer& commands) const;
@@ -49,7 +49,7 @@ class ReflectorDrawer {
     [[nodiscard]] Specialization specialise(const Specialization& others, MapKind kind,
                                             std::size_t faces) const;
 
-    /// What the last look_from() made of the polygons, for tests and statistics.
+    /// What the last set_eye() made of the polygons, for tests and statistics.
     struct Pieces {
         std::vector<interop::Piece> whole;
         std::vector<interop::Piece> cut;

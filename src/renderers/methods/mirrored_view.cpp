@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/methods/planar_renderer.h"
+#include "renderers/methods/mirrored_view.h"
 
 #include "renderers/film/frame_camera.h"
+#include "renderers/reflection/raster/drawn_samples.h"
 #include "renderers/reflection/raster/picture_pixels.h"
 #include "renderers/scene/scene_triangles.h"
 
@@ -10,7 +11,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -24,16 +24,6 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 /// office takes 3.3 us and a triangle, its depth first, 0.4 us; a rough guess is good enough, as both are
 /// right.
 constexpr std::uint64_t kTrianglesPerRay = 8;
-
-/// Instances that take maps: those with a triangle that is reflective and in no plane.
-std::vector<std::uint32_t> curved_instances(const SceneData& data, const PlaneMirrors& mirrors) {
-    std::vector<std::uint32_t> instances;
-    for (const std::uint32_t triangle : mirrors.others)
-        instances.push_back(data.triangle_infos[triangle].instance);
-    std::sort(instances.begin(), instances.end());
-    instances.erase(std::unique(instances.begin(), instances.end()), instances.end());
-    return instances;
-}
 
 /// Whether the eye sees a plane mirror at a pixel, by the state that lib/image_state.glsl describes.
 bool shows_plane_mirror(float state) {
@@ -62,115 +52,67 @@ float mirrored_distance(const SceneData& data, const interop::CameraInfo& camera
 
 }  // namespace
 
-PlanarRenderer::PlanarRenderer(Device& device, const SceneData& data, const GpuScene& scene,
-                               SurfaceLight& light, const Camera& camera, MapKind kind,
-                               const RenderSettings& settings, const MapSettings& map_settings)
+std::vector<std::uint32_t> curved_instances(const SceneData& data, const PlaneMirrors& mirrors) {
+    std::vector<std::uint32_t> instances;
+    for (const std::uint32_t triangle : mirrors.others)
+        instances.push_back(data.triangle_infos[triangle].instance);
+    std::sort(instances.begin(), instances.end());
+    instances.erase(std::unique(instances.begin(), instances.end()), instances.end());
+    return instances;
+}
+
+MirroredView::MirroredView(Device& device, const SceneData& data, const PreparedMaps& maps,
+                           PlaneMirrors mirrors, MapKind kind, const RenderSettings& settings,
+                           const MapSettings& map_settings)
     : device_(device),
       data_(data),
-      scene_(scene),
-      camera_(camera),
+      maps_(maps),
+      mirrors_(std::move(mirrors)),
       kind_(kind),
       settings_(settings),
       map_settings_(map_settings),
-      light_(light) {
-    make_drawers(nullptr);
-    set_camera(camera);
+      drawer_(device, data, mirrors_, maps.maps().reflectors(), kind, maps.maps().faces(),
+              maps.specialization(), maps.bindings(), settings.width, settings.height) {}
+
+interop::CameraInfo MirroredView::camera_info() const {
+    return make_camera_info(camera_, data_.origin, settings_.width, settings_.height);
 }
 
-void PlanarRenderer::make_drawers(PreparedMaps* former) {
-    mirrors_ = find_plane_mirrors(data_);
-    prepared_ = std::make_unique<PreparedMaps>(device_, data_, scene_, light_, camera_, kind_, settings_,
-                                               map_settings_, curved_instances(data_, mirrors_), former);
-    const ReflectionMaps& maps = prepared_->maps();
-    drawer_ = std::make_unique<PlanarDrawer>(device_, data_, mirrors_, maps.reflectors(), kind_, maps.faces(),
-                                             prepared_->specialization(), prepared_->bindings(),
-                                             settings_.width, settings_.height);
-}
-
-ImageSettings PlanarRenderer::image_settings() const {
-    return {settings_.seed, std::min(settings_.specular_depth, scene_.specular_depth()),
-            static_cast<float>(map_settings_.tolerance.most)};
-}
-
-void PlanarRenderer::warm_up() {
-    const auto start = std::chrono::steady_clock::now();
-    drawer_->warm_up();
-    statistics_.compile_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-void PlanarRenderer::draw_at(const glm::vec2& jitter) {
-    drawer_->draw_frame(images_, image_settings(), jitter);
-}
-
-void PlanarRenderer::prepare(Progress& progress) {
-    warm_up();
-    prepared_->prepare(
-        camera_, [&](const glm::vec2& jitter) { draw_at(jitter); }, statistics_, progress);
-}
-
-void PlanarRenderer::update(const SceneChange& change, Progress& progress) {
-    restart_statistics();
-    if (change.empty()) return;
-    // May put other buffers in the place of those that drawing reads.
-    light_.update(change, progress);
-    // What draws reads buffers of the maps.
-    prediction_drawer_.reset();
-    curved_.reset();
-    drawer_.reset();
-    const std::unique_ptr<PreparedMaps> former = std::move(prepared_);
-    make_drawers(former.get());
-    set_camera(camera_);
-    warm_up();
-    prepared_->update(
-        change, camera_, [&](const glm::vec2& jitter) { draw_at(jitter); }, statistics_, progress);
-}
-
-void PlanarRenderer::set_camera(const Camera& camera) {
+void MirroredView::set_camera(const Camera& camera) {
     camera_ = camera;
     Camera in_scene = camera;
     in_scene.position -= data_.origin;
     const std::uint64_t least_window =
         kind_ == MapKind::hybrid ? data_.bvh.triangles.size() / kTrianglesPerRay : 0;
     images_ = plan_mirror_images(mirrors_.mirrors, in_scene, settings_.width, settings_.height,
-                                 static_cast<double>(drawer_->near_plane()), settings_.specular_depth,
+                                 static_cast<double>(near_plane(data_)), settings_.specular_depth,
                                  least_window);
 }
 
-bool PlanarRenderer::draw_frame() {
-    const Progress silent;
-    do {
-        draw_at({0.5f, 0.5f});
-    } while (prepared_->complete(statistics_, silent));
-    return true;
+void MirroredView::record(const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) const {
+    drawer_.record(commands, images_, frame);
 }
 
-FrameCounts PlanarRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
-    return drawer_->add_samples(film, images_, image_settings(), count, progress,
-                                [&] { return prepared_->complete(statistics_, progress); });
-}
-
-PredictionDrawer& PlanarRenderer::prediction_drawer() {
+PredictionDrawer& MirroredView::prediction_drawer() {
     if (!prediction_drawer_) {
-        const ReflectionMaps& maps = prepared_->maps();
+        const ReflectionMaps& maps = maps_.maps();
         curved_.emplace(device_, data_, maps.reflectors(), kind_, maps.faces(), std::nullopt,
-                        map_settings_.tolerance.of, prepared_->specialization(), prepared_->bindings());
-        prediction_drawer_.emplace(device_, data_, kind_, maps.faces().size(), prepared_->specialization(),
-                                   prepared_->bindings(), *curved_, settings_.width, settings_.height);
+                        map_settings_.tolerance.of, maps_.specialization(), maps_.bindings());
+        prediction_drawer_.emplace(device_, data_, kind_, maps.faces().size(), maps_.specialization(),
+                                   maps_.bindings(), *curved_, settings_.width, settings_.height);
     }
     return *prediction_drawer_;
 }
 
 template <typename Errors, typename Tell>
-std::vector<Errors> PlanarRenderer::find_errors(const Errors& of_image, const Errors& without_image,
+std::vector<Errors> MirroredView::find_errors(const Errors& of_image, const Errors& without_image,
                                                 Tell tell) {
     std::vector<Errors> errors(std::size_t{settings_.width} * settings_.height, {-1.0f, -1.0f, -1.0f, -1.0f});
-    if (prepared_->has_distances()) {
+    if (maps_.has_distances()) {
         errors = tell(prediction_drawer(),
-                      make_camera_info(camera_, data_.origin, settings_.width, settings_.height));
+                      camera_info());
     }
-    draw_frame();
-    const std::vector<glm::vec4> pixels = drawer_->pixels();
+    const std::vector<glm::vec4> pixels = picture_pixels(device_, picture());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (shows_image(pixels[i].w)) {
             errors[i] = of_image;
@@ -183,8 +125,7 @@ std::vector<Errors> PlanarRenderer::find_errors(const Errors& of_image, const Er
     return errors;
 }
 
-std::vector<PredictedError> PlanarRenderer::predict_errors() {
-    if (kind_ != MapKind::hybrid) return {};
+std::vector<PredictedError> MirroredView::predict_errors() {
     const auto tolerance = static_cast<float>(map_settings_.tolerance.most);
     return find_errors<PredictedError>({0.0f, 0.0f, 0.0f, 0.0f},
                                        {std::numbers::pi_v<float>, 0.0f, 0.0f, kInfinity},
@@ -193,8 +134,7 @@ std::vector<PredictedError> PlanarRenderer::predict_errors() {
                                        });
 }
 
-std::vector<MeasuredError> PlanarRenderer::measure_errors() {
-    if (kind_ != MapKind::hybrid) return {};
+std::vector<MeasuredError> MirroredView::measure_errors() {
     const auto tolerance = static_cast<float>(map_settings_.tolerance.most);
     constexpr MeasuredError kOfPlaneMirror = {0.0f, 0.0f, 0.0f, 1.0f};  // distances follow
     std::vector<MeasuredError> errors = find_errors<MeasuredError>(
@@ -202,8 +142,8 @@ std::vector<MeasuredError> PlanarRenderer::measure_errors() {
             return drawer.measure(camera, tolerance);
         });
     const interop::CameraInfo camera =
-        make_camera_info(camera_, data_.origin, settings_.width, settings_.height);
-    const std::vector<glm::vec4> pixels = drawer_->pixels();
+        camera_info();
+    const std::vector<glm::vec4> pixels = picture_pixels(device_, picture());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (!shows_plane_mirror(pixels[i].w)) continue;
         const glm::vec2 centre(static_cast<float>(i % settings_.width) + 0.5f,
@@ -213,12 +153,6 @@ std::vector<MeasuredError> PlanarRenderer::measure_errors() {
             mirrored_distance(data_, camera, glm::vec2(2, -2) * centre / size + glm::vec2(-1, 1));
     }
     return errors;
-}
-
-std::vector<float> PlanarRenderer::traced_pixels() {
-    if (kind_ != MapKind::hybrid) return {};
-    draw_frame();
-    return traced_pixels_of(drawer_->pixels());
 }
 
 }  // namespace utsuri

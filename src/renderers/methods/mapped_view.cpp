@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/methods/mapped_view.h"
+
+#include "renderers/film/frame_camera.h"
+
+#include "base/check.h"
+
+namespace utsuri {
+namespace {
+
+template <typename Errors>
+std::vector<Errors> no_mirrors(const RenderSettings& settings) {
+    return std::vector<Errors>(std::size_t{settings.width} * settings.height,
+                               Errors{-1.0f, -1.0f, -1.0f, -1.0f});
+}
+
+}  // namespace
+
+MappedView::MappedView(Device& device, const SceneData& data, const PreparedMaps& maps, MapKind kind,
+                       const RenderSettings& settings, const MapSettings& map_settings)
+    : device_(device),
+      data_(data),
+      maps_(maps),
+      kind_(kind),
+      settings_(settings),
+      map_settings_(map_settings),
+      reflectors_(make_reflectors()),
+      drawer_(device, data, maps.specialization(), maps.bindings(), reflectors_.get(), settings.width,
+              settings.height) {}
+
+std::unique_ptr<ReflectorDrawer> MappedView::make_reflectors() const {
+    const ReflectionMaps& maps = maps_.maps();
+    if (maps.reflectors().triangles.empty()) return nullptr;
+    return std::make_unique<ReflectorDrawer>(device_, data_, maps.reflectors(), kind_, maps.faces(),
+                                             map_settings_.most_cut_pieces, map_settings_.tolerance.of,
+                                             maps_.specialization(), maps_.bindings());
+}
+
+void MappedView::warm_up() {
+    drawer_.warm_up();
+    prepare_view();
+}
+
+void MappedView::set_camera(const Camera& camera) {
+    camera_ = camera;
+    has_moved_ = true;
+}
+
+double MappedView::prepare_view() {
+    if (!has_moved_) return 0.0;
+    has_moved_ = false;
+    if (!reflectors_) return 0.0;
+    interop::ReflectVerticesPush eye{};
+    eye.eye = glm::vec3(camera_.position - data_.origin);
+    eye.right = glm::vec3(camera_.right);
+    eye.up = glm::vec3(camera_.up);
+    eye.forward = glm::vec3(camera_.forward);
+    return reflectors_->set_eye(eye);
+}
+
+void MappedView::record(const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) const {
+    drawer_.record(commands, make_camera_info(camera_, data_.origin, settings_.width, settings_.height),
+                   frame);
+}
+
+PredictionDrawer& MappedView::prediction_drawer() {
+    UTSURI_CHECK(maps_.has_distances());
+    prepare_view();
+    if (!prediction_drawer_) {
+        prediction_drawer_.emplace(device_, data_, kind_, maps_.maps().faces().size(), maps_.specialization(),
+                                   maps_.bindings(), *reflectors_, settings_.width, settings_.height);
+    }
+    return *prediction_drawer_;
+}
+
+float MappedView::searching_tolerance() const {
+    const Tolerance& tolerance = map_settings_.tolerance;
+    const bool judges_outline = kind_ == MapKind::hybrid && tolerance.of == Tolerance::Of::place;
+    return judges_outline ? static_cast<float>(tolerance.most) : 0.0f;
+}
+
+std::vector<PredictedError> MappedView::predict_errors() {
+    if (!reflectors_) return no_mirrors<PredictedError>(settings_);
+    return prediction_drawer().predict(
+        make_camera_info(camera_, data_.origin, settings_.width, settings_.height), searching_tolerance());
+}
+
+std::vector<MeasuredError> MappedView::measure_errors() {
+    if (!reflectors_) return no_mirrors<MeasuredError>(settings_);
+    return prediction_drawer().measure(
+        make_camera_info(camera_, data_.origin, settings_.width, settings_.height), searching_tolerance());
+}
+
+}  // namespace utsuri
