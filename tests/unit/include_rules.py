@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """include_rules.py ROOT: holds the include lines of src and shaders against the rooms of rooms.py.
 
-Prints each violation as "file:line: what is wrong"; exit code 1 if there is any, else 0. Also: descriptor bindings
-stand only in shaders/kernels, and no source file is longer than LONGEST_FILE lines. Before it looks at the tree it
-proves on planted faults that it can find each kind.
+Prints each violation as "file:line: what is wrong"; exit code 1 if there is any, else 0. Also: a room names no room that
+it never includes, but for those of LOW_ROOMS; descriptor bindings stand only in shaders/kernels, and no source file is
+longer than LONGEST_FILE lines. Before it looks at the tree it proves on planted faults that it can find each kind.
 """
 import re
 import sys
@@ -13,6 +13,8 @@ from pathlib import Path
 from rooms import Room, SHADER_ROOMS, SOURCE_ROOMS
 
 LONGEST_FILE = 600
+# What these hold is for every room above them, whether it is needed there today or not.
+LOW_ROOMS = {"base", "interop", "geometry", "scene", "gpu", "image", "kernels", "lib"}
 SOURCE_SUFFIXES = {".h", ".cpp", ".comp", ".vert", ".frag", ".glsl", ".py", ".cmake"}
 SOURCE_FOLDERS = ["src", "shaders", "tests", "benchmarks", "scenes", "cmake", "scripts"]
 
@@ -39,13 +41,14 @@ def room_of(path, rooms):
     return max(inside, key=lambda room: len(room.name), default=None)
 
 
-def may_include(room, header, rooms):
-    """Whether a file of a room may include a header of the same tree, or one of `interop` and `kernels`."""
+def permission(room, header, rooms):
+    """What lets a file of a room include a header of the same tree, or one of `interop` and `kernels`: an entry of the
+    room's list or its own name; None if nothing does."""
     if header in room.may_include:
-        return True
+        return header
     target = room_of(header, rooms)
     name = target.name if target else header.split("/")[0]
-    return name == room.name or name in room.may_include
+    return name if name == room.name or name in room.may_include else None
 
 
 def upward_rooms(rooms):
@@ -57,6 +60,18 @@ def upward_rooms(rooms):
                      for other in room.may_include if other not in known and not other.endswith(".h")]
         known.add(room.name)
     return problems
+
+
+def unused_permissions(rooms, lines):
+    """What rooms name and never include; `lines` are the (path, line) of all their files."""
+    used = {room.name: set() for room in rooms}
+    for path, line in lines:
+        include = INCLUDE.match(line)
+        room = room_of(path, rooms)
+        if include and include.group(1) and room:
+            used[room.name].add(permission(room, include.group(1), rooms))
+    return [f"{room.name} names {other}, which it includes nowhere"
+            for room in rooms for other in room.may_include if other not in used[room.name] | LOW_ROOMS]
 
 
 def library_problem(folder, header):
@@ -83,7 +98,7 @@ def source_problem(path, line):
         return "is in no room of rooms.py"
     if include.group(2):
         return library_problem(room.name, include.group(2))
-    if not may_include(room, include.group(1), SOURCE_ROOMS):
+    if permission(room, include.group(1), SOURCE_ROOMS) is None:
         return f"{room.name} may not include {include.group(1)}"
     return None
 
@@ -102,7 +117,7 @@ def shader_problem(path, line):
         # The C++ side of the prelude.
         is_prelude = path == "interop/prelude.h" and (include.group(2) == "cstdint" or include.group(2)[:4] == "glm/")
         return None if is_prelude else f"shaders may not include <{include.group(2)}>"
-    if not may_include(room, include.group(1), SHADER_ROOMS):
+    if permission(room, include.group(1), SHADER_ROOMS) is None:
         return f"shaders/{room.name} may not include {include.group(1)}"
     return None
 
@@ -129,6 +144,7 @@ FAULTS = [
     (source_problem, "renderers/lost.h", '#include "base/file.h"'),
     (source_problem, "compare/measure.h", '#include "cli/options.h"'),
     (source_problem, "compare/measure.h", '#include "import/gltf.h"'),
+    (source_problem, "compare/measure.h", '#include "renderers/reflection/maps/map_size.h"'),
     (source_problem, "cli/options.h", '#include "viewer/window.h"'),
     (source_problem, "compare/measure.h", "#include <OpenImageIO/imageio.h>"),
     (source_problem, "compare/measure.h", "#include <tiny_gltf.h>"),
@@ -141,13 +157,14 @@ FAULTS = [
     (shader_problem, "kernels/film/film_main.glsl", '#include "kernels/trace/specular_chain.glsl"'),
     (shader_problem, "kernels/raster/draw_scene.vert", '#include "kernels/planar/image_push.glsl"'),
     (shader_problem, "kernels/raster/draw_scene.frag", '#include "kernels/hybrid/hybrid_light.glsl"'),
+    (shader_problem, "kernels/maps/map_texels.glsl", '#include "kernels/scene/scene_bindings.glsl"'),
     (shader_problem, "lib/film.glsl", "layout(scalar, binding = BINDING_FILM) buffer Film { float x[]; };"),
 ]
 LEGAL = [
     (source_problem, "renderers/scene/ray_list.h", '#include "renderers/scene/gpu_scene.h"'),
     (source_problem, "renderers/scene/ray_list.cpp", '#include "kernels/trace_rays.h"'),
     (source_problem, "image_io/image_io.h", '#include "scene/texture.h"'),
-    (source_problem, "cli/main.cpp", '#include "renderers/reflection/reflectors/reflectors.h"'),
+    (source_problem, "cli/main.cpp", '#include "renderers/reflection/maps/map_size.h"'),
     (source_problem, "gpu/device.h", "#include <vulkan/vulkan_raii.hpp>"),
     (source_problem, "base/file.h", "#include <filesystem>"),
     (shader_problem, "kernels/trace/aov.comp", "layout(scalar, binding = BINDING_AOV) buffer Aov { AovPixel aov[]; };"),
@@ -155,6 +172,11 @@ LEGAL = [
     (shader_problem, "lib/film.glsl", '#include "interop/frame.h"'),
 ]
 UPWARD = [Room("low", "", ["high"]), Room("high", "", [])]
+# The room above needs one room and one header of another, and names a third room in vain.
+GENEROUS = [Room("base", "", []), Room("needed", "", []), Room("near", "", ["base"]), Room("spare", "", []),
+            Room("above", "", ["base", "needed", "near/one.h", "spare"])]
+GENEROUS_LINES = [("above/file.cpp", '#include "needed/file.h"'), ("above/file.h", '#include "near/one.h"'),
+                  ("above/file.h", "// as spare/file.h does"), ("near/one.h", "#include <vector>")]
 
 
 def prove_rules():
@@ -164,6 +186,8 @@ def prove_rules():
         missed.append("file length")
     if not upward_rooms(UPWARD):
         missed.append("a room that names one above it")
+    if unused_permissions(GENEROUS, GENEROUS_LINES) != ["above names spare, which it includes nowhere"]:
+        missed.append("a room that names one it never includes")
     for text in missed:
         print(f"include_rules.py: does not find the planted fault in {text}")
     for text in false_alarms:
@@ -177,26 +201,36 @@ def source_files(folder):
             yield path
 
 
-def check_tree(root):
-    violations = [f"rooms.py: {problem}" for problem in upward_rooms(SOURCE_ROOMS) + upward_rooms(SHADER_ROOMS)]
-    lines_seen = 0
+def numbered_lines(root, top):
+    """The (path below `top`, line number, line) of all that include lines may stand in."""
+    for path in source_files(root / top):
+        if path.name != "CMakeLists.txt":
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+                yield path.relative_to(root / top).as_posix(), number, line
+
+
+def check_rooms(root, top, rooms, problem):
+    """What is wrong with the rooms of a tree and the lines of its files."""
+    lines = list(numbered_lines(root, top))
+    if not lines:
+        return [f"{root}: no sources below {top}"]
+    found = [f"rooms.py: {text}" for text in upward_rooms(rooms)]
+    found += [f"rooms.py: {text}" for text in unused_permissions(rooms, [(path, line) for path, _, line in lines])]
+    return found + [f"{root / top / path}:{number}: {problem(path, line)}"
+                    for path, number, line in lines if problem(path, line)]
+
+
+def check_lengths(root):
     for top in SOURCE_FOLDERS:
         for path in source_files(root / top):
-            lines = path.read_text(encoding="utf-8").splitlines()
-            too_long = length_problem(len(lines))
-            if too_long:
-                violations.append(f"{path}:1: {too_long}")
-            problem = {"src": source_problem, "shaders": shader_problem}.get(top)
-            if problem is None or path.name == "CMakeLists.txt":
-                continue
-            for number, line in enumerate(lines, start=1):
-                lines_seen += 1
-                text = problem(path.relative_to(root / top).as_posix(), line)
-                if text:
-                    violations.append(f"{path}:{number}: {text}")
-    if lines_seen == 0:
-        violations.append(f"{root}: no sources below src and shaders")
-    return violations
+            text = length_problem(len(path.read_text(encoding="utf-8").splitlines()))
+            if text:
+                yield f"{path}:1: {text}"
+
+
+def check_tree(root):
+    return (check_rooms(root, "src", SOURCE_ROOMS, source_problem)
+            + check_rooms(root, "shaders", SHADER_ROOMS, shader_problem) + list(check_lengths(root)))
 
 
 def main():

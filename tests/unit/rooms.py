@@ -2,7 +2,8 @@
 """The rooms of src and shaders, low to high, what each is for and which others it may include.
 
 include_rules.py holds the include lines against this, scripts/draw-rooms draws docs/images/rooms.svg from it. A room may
-include itself and what is named here, each of which stands above it: so no include runs up.
+include itself and what is named here, each of which stands above it: so no include runs up. It names what it includes, and
+of the low rooms also what it might.
 """
 from collections import namedtuple
 
@@ -18,8 +19,6 @@ def reflection(*names):
 
 
 BELOW_REFLECTION = CORE + ["renderers/scene", "renderers/film"]
-ALL_REFLECTION = reflection("reflectors", "proxies", "maps", "distances", "glossy", "raster", "planar")
-RENDERERS = ["renderers/scene", "renderers/film", "renderers/light"] + ALL_REFLECTION + ["renderers/methods", "session"]
 
 SOURCE_ROOMS = [
     Room("base", "errors, checks, files, progress, the host's copy of the sampler", []),
@@ -37,19 +36,20 @@ SOURCE_ROOMS = [
     Room(REFLECTION + "distances", "distances and radiance about capture points, bounded over blocks",
          BELOW_REFLECTION + ["renderers/light"] + reflection("reflectors", "maps")),
     Room(REFLECTION + "glossy", "maps convolved with rough lobes",
-         BELOW_REFLECTION + ["renderers/light"] + reflection("reflectors", "proxies", "maps", "distances")),
+         BELOW_REFLECTION + ["renderers/light"] + reflection("reflectors", "proxies", "distances")),
     Room(REFLECTION + "raster", "drawing: frames, reflectors, predicted errors", BELOW_REFLECTION + reflection("reflectors")),
     Room(REFLECTION + "planar", "plane mirrors and their images", BELOW_REFLECTION + reflection("reflectors", "raster")),
     Room("renderers/methods", "light x reflection: the list of methods, and what renders each",
-         CORE + ["renderers/scene", "renderers/film", "renderers/light"] + ALL_REFLECTION),
+         BELOW_REFLECTION + ["renderers/light"] + reflection("maps", "distances", "glossy", "raster", "planar")),
     Room("session", "the library's front door: a device, a scene on it, pictures of it",
          CORE + ["renderers/scene", "renderers/film", "renderers/light", "renderers/methods"]),
     Room("image_io", "pictures in files: OpenImageIO, nowhere else", ["base", "image", "scene/texture.h"]),
     Room("import", "glTF to Scene; the only room that sees the glTF parser", SCENE + ["image_io"]),
     Room("compare", "comparison, trade of time for error, their tables, .json and .html",
-         ["base", "image", "geometry", "scene", "gpu", "interop", "image_io"] + RENDERERS),
+         ["base", "image", "geometry", "scene", "gpu", "interop", "image_io", "renderers/film", "renderers/methods", "session"]),
     Room("cli", "one file per subcommand, exit codes; no algorithm",
-         ["base", "image", "geometry", "scene", "gpu", "interop", "image_io", "import", "compare"] + RENDERERS),
+         ["base", "image", "geometry", "scene", "gpu", "interop", "image_io", "import", "compare", "session",
+          "renderers/film", "renderers/light", "renderers/methods"] + reflection("maps", "distances", "glossy")),
 ]
 
 KERNELS = "kernels/"
@@ -66,7 +66,7 @@ SHADER_ROOMS = [
     Room(KERNELS + "film", "the loop over a pixel's samples", ["interop", "lib"]),
     Room(KERNELS + "light", "light kept on surfaces: filled, looked up", ["interop", "lib"] + kernels("scene", "film")),
     Room(KERNELS + "trace", "rays from the eye, specular chains", ["interop", "lib"] + kernels("scene", "film", "light")),
-    Room(KERNELS + "maps", "reflection maps: looked up, resolved", ["interop", "lib"] + kernels("scene")),
+    Room(KERNELS + "maps", "reflection maps: looked up, resolved", ["interop", "lib"]),
     Room(KERNELS + "distances", "distances about capture points: measured, bounded, searched",
          ["interop", "lib"] + kernels("scene", "light", "maps")),
     Room(KERNELS + "glossy", "maps of rough lobes: convolved, looked up", ["interop", "lib"] + kernels("scene", "maps")),
@@ -74,7 +74,7 @@ SHADER_ROOMS = [
     Room(KERNELS + "raster", "stages that draw a view",
          ["interop", "lib"] + kernels("scene", "light", "maps", "distances", "glossy", "reflectors")),
     Room(KERNELS + "hybrid", "stages that look up or trace, by predicted error",
-         ["interop", "lib"] + kernels("scene", "light", "trace", "maps", "distances", "glossy", "reflectors", "raster")),
+         ["interop", "lib"] + kernels("trace", "distances", "raster")),
     Room(KERNELS + "planar", "stages that draw images in plane mirrors",
-         ["interop", "lib"] + kernels("scene", "light", "trace", "maps", "distances", "glossy", "reflectors", "raster", "hybrid")),
+         ["interop", "lib"] + kernels("scene", "raster", "hybrid")),
 ]
