@@ -5,7 +5,8 @@ find_program(SPIRV_VAL spirv-val REQUIRED)
 # utsuri_add_kernels(TARGET file ...): compiles kernels/FILE of the current folder, ROOM/NAME.comp, .vert or .frag,
 # validates the SPIR-V and embeds it in a header of TARGET, an interface library: NAME.comp as `utsuri::kernels::NAME` in
 # "kernels/NAME.h", NAME.vert as NAME_vert, NAME.frag as NAME_frag, whatever its room. It is compiled again when a file it
-# includes changes (depfile).
+# includes changes (depfile). With UTSURI_EMPTY_KERNELS nothing is compiled and the headers hold no code, for tools that only
+# read the C++ files.
 function(utsuri_add_kernels target)
     set(folder ${CMAKE_CURRENT_BINARY_DIR}/generated)
     file(MAKE_DIRECTORY ${folder}/kernels)
@@ -17,6 +18,12 @@ function(utsuri_add_kernels target)
         string(REPLACE "." "_" name ${name})
         set(spirv ${folder}/kernels/${name}.spv)
         set(header ${folder}/kernels/${name}.h)
+        if(UTSURI_EMPTY_KERNELS)
+            set(NAME ${name})
+            set(HEADER ${header})
+            include(${PROJECT_SOURCE_DIR}/cmake/embed_spirv.cmake)
+            continue()
+        endif()
         add_custom_command(
             OUTPUT ${spirv}
             COMMAND ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.3 -I${CMAKE_CURRENT_SOURCE_DIR} -I${PROJECT_SOURCE_DIR}/shaders
