@@ -43,6 +43,7 @@ std::vector<glm::dvec3> cube_normals() {
 
 std::vector<glm::dvec3> octahedron_normals() {
     std::vector<glm::dvec3> normals;
+    normals.reserve(8);
     for (int i = 0; i < 8; ++i)
         normals.emplace_back(i & 4 ? -1 : 1, i & 2 ? -1 : 1, i & 1 ? -1 : 1);
     return normals;

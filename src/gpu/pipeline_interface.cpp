@@ -50,6 +50,7 @@ std::vector<vk::raii::DescriptorSetLayout> create_set_layouts(const Device& devi
     for (const auto& [binding, stages] : stages_of_bindings(modules))
         entries[binding.set].emplace_back(binding.number, type_of(binding), 1, stages);
     std::vector<vk::raii::DescriptorSetLayout> layouts;
+    layouts.reserve(entries.size());
     for (const auto& set : entries)
         layouts.push_back(device.handle().createDescriptorSetLayout({{}, set}));
     return layouts;
@@ -57,6 +58,7 @@ std::vector<vk::raii::DescriptorSetLayout> create_set_layouts(const Device& devi
 
 std::vector<vk::DescriptorSetLayout> handles_of(const std::vector<vk::raii::DescriptorSetLayout>& layouts) {
     std::vector<vk::DescriptorSetLayout> handles;
+    handles.reserve(layouts.size());
     for (const vk::raii::DescriptorSetLayout& layout : layouts)
         handles.push_back(*layout);
     return handles;
