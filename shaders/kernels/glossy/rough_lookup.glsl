@@ -13,7 +13,6 @@ layout(constant_id = SPEC_MOST_ROUGH_PROBES) const uint MOST_ROUGH_PROBES = 1u;
 
 layout(scalar, set = METHOD_SET, binding = BINDING_ROUGH_MAPS) readonly restrict buffer RoughMaps { RoughMapInfo rough_maps[]; };
 layout(scalar, set = METHOD_SET, binding = BINDING_ROUGH_PROBES) readonly restrict buffer RoughProbes { RoughProbe rough_probes[]; };
-layout(scalar, set = METHOD_SET, binding = BINDING_LOBE_ALBEDO) readonly restrict buffer LobeAlbedos { LobeAlbedo lobe_albedos[]; };
 
 /// The direction from the capture point that stands for the mirrored one. Sphere maps are in eye space: rough lobes have
 /// none, and take what is far.
@@ -63,21 +62,6 @@ vec3 rough_radiance(Surface surface, vec3 wo, vec3 interpolated) {
         weights += weight;
     }
     return sum / weights;
-}
-
-LobeAlbedo mix_albedo(LobeAlbedo a, LobeAlbedo b, float f) {
-    return LobeAlbedo(mix(a.constant, b.constant, f), mix(a.schlick, b.schlick, f), mix(a.lost, b.lost, f));
-}
-
-LobeAlbedo lobe_albedo(Surface surface, float cos_o) {
-    const float LAST = float(LOBE_ALBEDO_SIZE - 1u);
-    vec2 position = LAST * clamp(sqrt(vec2(cos_o, surface.alpha)), 0.0, 1.0);
-    vec2 corner = min(floor(position), LAST - 1.0);
-    vec2 f = position - corner;
-    uint entry = uint(corner.y) * LOBE_ALBEDO_SIZE + uint(corner.x);
-    return mix_albedo(mix_albedo(lobe_albedos[entry], lobe_albedos[entry + 1u], f.x),
-                      mix_albedo(lobe_albedos[entry + LOBE_ALBEDO_SIZE], lobe_albedos[entry + LOBE_ALBEDO_SIZE + 1u], f.x),
-                      f.y);
 }
 
 #endif

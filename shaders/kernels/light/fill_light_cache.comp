@@ -75,7 +75,7 @@ vec3 simulate_light(Surface surface, uint side) {
             samples = s;
             break;
         }
-        Candidate taken = resample_lights(surface, surface.ns, sample_2d(key, s, 0u), sample_2d(key, s, 1u));
+        Candidate taken = resample_lights(surface, surface.ns, 1u << LOBE_DIFFUSE, sample_2d(key, s, 0u), sample_2d(key, s, 1u));
         if (taken.value == vec3(0.0)) continue;
         sampled += taken.value;
         ++rays;

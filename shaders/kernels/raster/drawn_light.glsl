@@ -6,6 +6,7 @@
 
 #include "kernels/glossy/rough_lookup.glsl"
 #include "kernels/light/kept_light.glsl"
+#include "kernels/light/lobe_albedo.glsl"
 #include "kernels/raster/drawn_surface.glsl"
 #include "kernels/raster/view.glsl"
 #include "kernels/scene/direct_light.glsl"
@@ -81,10 +82,7 @@ vec3 drawn_glossy_light(Surface surface, vec3 wo) {
     vec3 normal = specular_reflectance(surface, 1.0);
     vec3 grazing = specular_reflectance(surface, 0.0);
     vec3 radiance = (normal * albedo.constant + grazing * albedo.schlick) * rough_radiance(surface, wo, drawn_reflection);
-    if (surface.metallic < 1.0) {
-        float kept = 1.0 - mix(surface.f0, surface.f90, albedo.lost);
-        radiance += surface.base_colour * ((1.0 - surface.metallic) * kept) * drawn_diffuse_light(surface);
-    }
+    if (surface.metallic < 1.0) radiance += diffuse_under_lobe(surface, albedo) * drawn_diffuse_light(surface);
     if (HAS_PUNCTUAL_LIGHTS) radiance += punctual_highlights(surface, wo);
     return radiance;
 }

@@ -5,12 +5,14 @@
 #define UTSURI_KERNELS_SCENE_DIRECT_LIGHT
 
 #include "kernels/scene/lights.glsl"
-#include "lib/lobes/diffuse.glsl"
-#include "lib/lobes/glossy.glsl"
+#include "lib/lobes/lobes.glsl"
 #include "lib/sampler.glsl"
 
 /// Pairs of sample dimensions that one surface uses.
 const uint DIMENSIONS_PER_SURFACE = 3u;
+
+/// All lobes with a width.
+const uint WIDE_LOBES = (1u << LOBE_DIFFUSE) | (1u << LOBE_GLOSSY);
 
 bool is_light_visible(Surface surface, LightSample s, uint excluded_instance) {
     vec3 origin = leave_surface(surface, s.direction);
@@ -29,11 +31,12 @@ struct Candidate {
     vec3 value;
 };
 
-Candidate make_candidate(Surface surface, vec3 wo, float choice, vec2 u) {
+/// @param lobes that reflect the light: bits of WIDE_LOBES
+Candidate make_candidate(Surface surface, vec3 wo, uint lobes, float choice, vec2 u) {
     LightSample s = sample_light(choose_light(receiver_of(surface), choice), surface, u);
     if (!is_above(surface, s.direction)) return Candidate(s, vec3(0.0));
-    vec3 bsdf = diffuse_value(surface, wo, s.direction);
-    if (HAS_GLOSSY && is_glossy(surface)) {
+    vec3 bsdf = (lobes & (1u << LOBE_DIFFUSE)) != 0u ? diffuse_value(surface, wo, s.direction) : vec3(0.0);
+    if ((lobes & (1u << LOBE_GLOSSY)) != 0u && has_lobe(surface, LOBE_GLOSSY)) {
         float weight = s.pdf > 0.0 ? s.pdf / (s.pdf + glossy_pdf(surface, wo, s.direction)) : 1.0;
         bsdf += weight * glossy_value(surface, wo, s.direction);
     }
@@ -43,7 +46,7 @@ Candidate make_candidate(Surface surface, vec3 wo, float choice, vec2 u) {
 /// Resampled importance sampling (Talbot, Cline and Egbert 2005): of a few candidates, stratified over the light table,
 /// one is taken by its unshadowed value, so that near and facing lights are not left to chance.
 /// @returns with a value that is divided by the chance of this one; zero if no candidate brings anything
-Candidate resample_lights(Surface surface, vec3 wo, vec2 choice, vec2 u) {
+Candidate resample_lights(Surface surface, vec3 wo, uint lobes, vec2 choice, vec2 u) {
     uint count = min(LIGHT_COUNT, MOST_CANDIDATES);
     Candidate taken = Candidate(LightSample(vec3(0.0), vec3(0.0), false, vec3(0.0), 0.0, NONE), vec3(0.0));
     float taken_weight = 0.0;
@@ -52,7 +55,7 @@ Candidate resample_lights(Surface surface, vec3 wo, vec2 choice, vec2 u) {
     for (uint i = 0u; i < count; ++i) {
         // Shifted by a sequence that fills the square evenly (Roberts 2018); each candidate's u stays uniform.
         vec2 shifted = fract(u + float(i) * vec2(0.754877666, 0.569840291));
-        Candidate candidate = make_candidate(surface, wo, (float(i) + choice.x) / float(count), shifted);
+        Candidate candidate = make_candidate(surface, wo, lobes, (float(i) + choice.x) / float(count), shifted);
         float weight = candidate.value.x + candidate.value.y + candidate.value.z;
         if (!(weight > 0.0)) continue;
         sum += weight;
@@ -72,11 +75,12 @@ Candidate resample_lights(Surface surface, vec3 wo, vec2 choice, vec2 u) {
 
 /// Radiance towards wo from light that reaches the surface without being reflected on its way; of what a rough lobe
 /// reflects, the light sample's share.
-vec3 direct_light(Surface surface, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
+/// @param lobes as make_candidate() has them
+vec3 direct_light(Surface surface, vec3 wo, uint lobes, uint key, uint index, uint dimension, uint excluded_instance,
                   inout uint rays) {
     if (LIGHT_COUNT == 0u) return vec3(0.0);
     vec2 choice = sample_2d(key, index, dimension);
-    Candidate taken = resample_lights(surface, wo, choice, sample_2d(key, index, dimension + 1u));
+    Candidate taken = resample_lights(surface, wo, lobes, choice, sample_2d(key, index, dimension + 1u));
     if (taken.value == vec3(0.0)) return vec3(0.0);
     rays += 1u;
     return is_light_visible(surface, taken.light, excluded_instance) ? taken.value : vec3(0.0);

@@ -6,7 +6,7 @@
 
 vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
                    inout uint rays) {
-    return direct_light(surface, wo, key, index, dimension, excluded_instance, rays);
+    return direct_light(surface, wo, WIDE_LOBES, key, index, dimension, excluded_instance, rays);
 }
 
 void main() {

@@ -10,8 +10,8 @@
 
 namespace utsuri {
 
-/// A view in which all mirrors look their reflections up in maps, or, with MapKind::hybrid, follow rays where maps
-/// are not right enough.
+/// A view in which all mirrors look their reflections up in maps, or, with MapKind::hybrid, follow rays where
+/// maps are not right enough.
 class MappedView : public ViewDrawer {
   public:
     /// All of them must outlive this.

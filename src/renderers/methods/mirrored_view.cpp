@@ -84,9 +84,9 @@ void MirroredView::set_camera(const Camera& camera) {
     in_scene.position -= data_.origin;
     const std::uint64_t least_window =
         kind_ == MapKind::hybrid ? data_.bvh.triangles.size() / kTrianglesPerRay : 0;
-    images_ = plan_mirror_images(mirrors_.mirrors, in_scene, settings_.width, settings_.height,
-                                 static_cast<double>(near_plane(data_)), settings_.specular_depth,
-                                 least_window);
+    images_ =
+        plan_mirror_images(mirrors_.mirrors, in_scene, settings_.width, settings_.height,
+                           static_cast<double>(near_plane(data_)), settings_.specular_depth, least_window);
 }
 
 void MirroredView::record(const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) const {
@@ -106,11 +106,10 @@ PredictionDrawer& MirroredView::prediction_drawer() {
 
 template <typename Errors, typename Tell>
 std::vector<Errors> MirroredView::find_errors(const Errors& of_image, const Errors& without_image,
-                                                Tell tell) {
+                                              Tell tell) {
     std::vector<Errors> errors(std::size_t{settings_.width} * settings_.height, {-1.0f, -1.0f, -1.0f, -1.0f});
     if (maps_.has_distances()) {
-        errors = tell(prediction_drawer(),
-                      camera_info());
+        errors = tell(prediction_drawer(), camera_info());
     }
     const std::vector<glm::vec4> pixels = picture_pixels(device_, picture());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -141,8 +140,7 @@ std::vector<MeasuredError> MirroredView::measure_errors() {
         kOfPlaneMirror, kOfPlaneMirror, [&](PredictionDrawer& drawer, const interop::CameraInfo& camera) {
             return drawer.measure(camera, tolerance);
         });
-    const interop::CameraInfo camera =
-        camera_info();
+    const interop::CameraInfo camera = camera_info();
     const std::vector<glm::vec4> pixels = picture_pixels(device_, picture());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (!shows_plane_mirror(pixels[i].w)) continue;

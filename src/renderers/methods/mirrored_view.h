@@ -11,12 +11,13 @@
 
 namespace utsuri {
 
-/// Instances that take maps where plane mirrors are drawn: those with a reflective triangle in no plane mirror.
+/// Instances that take maps where plane mirrors are drawn: those with a reflective triangle in no plane
+/// mirror.
 std::vector<std::uint32_t> curved_instances(const SceneData& data, const PlaneMirrors& mirrors);
 
 /// A view in which plane mirrors show the scene as drawn by mirrored cameras, to a depth; curved mirrors look
-/// their reflections up in maps. With MapKind::hybrid, rays are followed where maps are not right enough, and where
-/// the image in a mirror would cost more than they do.
+/// their reflections up in maps. With MapKind::hybrid, rays are followed where maps are not right enough, and
+/// where the image in a mirror would cost more than they do.
 class MirroredView : public ViewDrawer {
   public:
     /// All of them must outlive this.

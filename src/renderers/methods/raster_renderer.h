@@ -20,8 +20,8 @@ struct RasterMethod {
     bool draws_images = false;  ///< plane mirrors are drawn from mirrored eyes: MirroredView; else MappedView
 };
 
-/// Draws a scene by the raster pipeline, lit from the light kept on its surfaces, with what mirrors reflect in
-/// maps, images and rays: all of that is made beforehand, or when a picture first needs it.
+/// Draws a scene by the raster pipeline, lit from the light kept on its surfaces, with what mirrors reflect
+/// in maps, images and rays: all of that is made beforehand, or when a picture first needs it.
 class RasterRenderer : public Renderer {
   public:
     RasterRenderer(const RendererInput& input, const RasterMethod& method, const RenderSettings& settings,

@@ -2,7 +2,9 @@
 #include "renderers/methods/ray_tracer.h"
 
 #include "renderers/film/frame_camera.h"
+#include "renderers/reflection/glossy/lobe_albedo.h"
 
+#include "interop/bindings.h"
 #include "kernels/trace_kept.h"
 
 #include <algorithm>
@@ -16,6 +18,9 @@ RayTracer::RayTracer(const RendererInput& input, const RenderSettings& settings)
       light_(input.light),
       kept_light_(settings.kept_light ? &input.kept_light.get() : nullptr),
       settings_(settings),
+      lobe_albedos_(kept_light_ == nullptr ? std::nullopt
+                                           : std::optional(make_buffer<interop::LobeAlbedo>(
+                                                 device_, make_lobe_albedo_table(), "albedos of lobes"))),
       frame_{
           {}, settings.seed, std::min(settings.specular_depth, input.scene.specular_depth()), interop::NONE},
       kernel_(make_kernel()) {
@@ -29,6 +34,7 @@ FilmKernel RayTracer::make_kernel() const {
                           std::move(bindings));
     }
     bindings.merge(kept_light_->bindings());
+    bindings[interop::BINDING_LOBE_ALBEDO] = &*lobe_albedos_;
     return FilmKernel(device_, "trace_kept", kernels::trace_kept, scene_.specialization(),
                       std::move(bindings));
 }

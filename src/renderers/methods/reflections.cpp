@@ -2,8 +2,8 @@
 // The reflection axis: a new reflection is what renders it and a line here.
 #include "renderers/methods/method.h"
 #include "renderers/methods/raster_renderer.h"
-#include "renderers/reflection/planar/plane_mirrors.h"
 #include "renderers/methods/ray_tracer.h"
+#include "renderers/reflection/planar/plane_mirrors.h"
 
 #include <array>
 

@@ -119,7 +119,7 @@ TEST_P(NoContractionInEdgeFunctions, IsMissedWithoutPrecise) {
 
 INSTANTIATE_TEST_SUITE_P(Kernels, NoContractionInEdgeFunctions,
                          testing::Values("aov", "draw_scene_frag", "draw_reflector_frag", "fill_light_cache",
-                                         "trace_kept", "trace_direct", "trace_rays"));
+                                         "trace_map", "trace_direct", "trace_rays"));
 
 class NoContractionInCompensatedSums : public NoContraction {};
 
@@ -132,7 +132,7 @@ TEST_P(NoContractionInCompensatedSums, IsMissedWithoutPrecise) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernels, NoContractionInCompensatedSums,
-                         testing::Values("add_drawn", "trace_kept", "trace_direct"));
+                         testing::Values("add_drawn", "trace_map", "trace_direct"));
 
 }  // namespace
 }  // namespace utsuri

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Traced pictures lit from the light kept on surfaces: --kept-light.
+#include "renderers/methods/method.h"
+
+#include "support/estimate.h"
+#include "support/light_scenes.h"
+#include "support/methods.h"
+#include "support/test_device.h"
+
+#include "image/metrics.h"
+
+#include <cmath>
+
+namespace utsuri::test {
+namespace {
+
+constexpr std::uint32_t kSamples = 16;
+/// So coarse that what is kept differs visibly from what is simulated at each hit.
+constexpr LightSettings kCoarse{1.0 / 20.0, 4, 0};
+
+RenderSettings picture_of(std::uint32_t size, bool kept_light) {
+    RenderSettings settings;
+    settings.width = settings.height = size;
+    settings.kept_light = kept_light;
+    return settings;
+}
+
+/// Of the table of albedos, between its entries: lobe_albedo_test.cpp.
+constexpr double kTable = 5e-3;
+
+class KeptLightTraced : public DeviceTest {
+  protected:
+    struct Pictures {
+        Image whole;
+        Image half;
+        RenderStatistics statistics;
+    };
+
+    static Pictures render(const Scene& scene, const Camera& camera, const char* reflection,
+                           const RenderSettings& settings, std::uint32_t samples = kSamples) {
+        const SceneData data = prepare_scene_data(scene);
+        const GpuScene gpu_scene(device(), data);
+        KeptLight light = kept_light(device(), data, gpu_scene, kCoarse);
+        const Method method = find_method("direct", reflection);
+        const std::unique_ptr<Renderer> renderer =
+            make_renderer(method, {device(), data, gpu_scene, *method.light, light, camera}, settings, {});
+        Film film(device(), settings.width, settings.height, "film");
+        Progress silent;
+        renderer->prepare(silent);
+        renderer->add_samples(film, samples, silent);
+        return {film.resolve(), film.resolve_half(0), renderer->statistics()};
+    }
+};
+
+/// A room with a block on its floor, lit by a panel: all of it matt.
+Scene matt_room() {
+    Scene scene;
+    add(scene, room({-2, 0, -2}, {2, 3, 2}), lambert({0.7f, 0.6f, 0.5f}));
+    add(scene, room({-0.5f, 0, -0.5f}, {0.5f, 1, 0.5f}), lambert({0.2f, 0.5f, 0.8f}));
+    add(scene, ceiling({0, 2.9f, 0}, 0.5f), emitter(glm::vec3(20)));
+    return scene;
+}
+
+// Both estimate the same picture, each with the noise of where its samples lie in their pixels. The picture of half
+// the samples is off the whole by as much as the whole is off the truth, in the mean square; two such errors add up to
+// twice that, and twice as much again is left to the estimate itself.
+TEST_F(KeptLightTraced, ShowsWhatDrawnSurfacesShow) {
+    const Camera camera = look_at({1.5, 2.2, 1.8}, {0, 0.8, 0}, 1.0);
+    const Pictures traced = render(matt_room(), camera, "trace", picture_of(64, true));
+    const Pictures drawn = render(matt_room(), camera, "cube-map", picture_of(64, true));
+    const Pictures simulated = render(matt_room(), camera, "trace", picture_of(64, false), 256);
+    const double noise = compute_metrics(traced.whole, traced.half, nullptr, nullptr).rel_mse;
+    const double apart = compute_metrics(traced.whole, drawn.whole, nullptr, nullptr).rel_mse;
+    EXPECT_LE(apart, 4.0 * noise);
+    EXPECT_GT(compute_metrics(simulated.whole, drawn.whole, nullptr, nullptr).rel_mse, 8.0 * noise)
+        << "the light kept is too fine to be told from simulated light";
+}
+
+TEST_F(KeptLightTraced, TakesNoShadowRaysOnMattSurfaces) {
+    const Camera camera = look_at({1.5, 2.2, 1.8}, {0, 0.8, 0}, 1.0);
+    const Pictures traced = render(matt_room(), camera, "trace", picture_of(32, true));
+    EXPECT_EQ(traced.statistics.counts.rays, 32u * 32u * kSamples);
+    EXPECT_GT(traced.statistics.prepare_counts.rays, 0u);
+}
+
+// Under uniform surroundings of radiance 1 a pixel tells the albedo of all lobes. Kept light leaves by the mean share
+// that the glossy lobe lets through, which is exact there: it is the mean over a Lambert lobe of uniform light.
+TEST_F(KeptLightTraced, HasTheAlbedoOfGlossySurfaces) {
+    for (const float roughness : {0.2f, 0.6f, 1.0f}) {
+        for (const double height : {0.3, 3.0}) {
+            Scene scene;
+            scene.environment = glm::vec3(1.0f);
+            Material plastic = lambert(glm::vec3(0.8f));
+            plastic.specular = 1.0f;
+            plastic.roughness = roughness;
+            add(scene, ground(1000.0f), plastic);
+            const Camera camera = look_at({0, height, 1}, {0, 0, 0}, 0.01);
+            constexpr std::uint32_t kMany = 256;
+            const auto look = [&](bool kept) {
+                return estimate_of(render(scene, camera, "trace", picture_of(16, kept), kMany).whole);
+            };
+            const Estimate kept = look(true);
+            const Estimate simulated = look(false);
+            const double error = std::hypot(kept.standard_error.y, simulated.standard_error.y);
+            EXPECT_NEAR(kept.mean.y, simulated.mean.y, kSigmas * error + kTable)
+                << "roughness " << roughness << ", eye at " << height;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace utsuri::test
