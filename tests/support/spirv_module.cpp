@@ -3,6 +3,8 @@
 
 #include "base/check.h"
 
+#include <algorithm>
+
 namespace utsuri::test {
 namespace {
 
@@ -73,6 +75,33 @@ std::vector<SpirvInstruction> SpirvModule::function(const std::string& name) con
         if (instruction.operation == kOpFunctionEnd) inside = false;
     }
     return body;
+}
+
+std::set<std::uint32_t> SpirvModule::pointers_into(std::uint32_t binding) const {
+    std::set<std::uint32_t> buffers;
+    std::set<std::uint32_t> pointers;
+    for (const SpirvInstruction& instruction : instructions_) {
+        const std::vector<std::uint32_t>& words = instruction.words;
+        if (instruction.operation == kOpDecorate && words[1] == kBinding && words[2] == binding) {
+            buffers.insert(words[0]);
+        } else if (instruction.operation == kOpAccessChain ||
+                   instruction.operation == kOpInBoundsAccessChain) {
+            // Operands of these: result type, result, base, indices.
+            if (buffers.contains(words[2]) || pointers.contains(words[2])) pointers.insert(words[1]);
+        }
+    }
+    return pointers;
+}
+
+bool SpirvModule::reaches(std::uint32_t binding) const {
+    return !pointers_into(binding).empty();
+}
+
+bool SpirvModule::stores_into(std::uint32_t binding) const {
+    const std::set<std::uint32_t> pointers = pointers_into(binding);
+    return std::any_of(instructions_.begin(), instructions_.end(), [&](const SpirvInstruction& instruction) {
+        return instruction.operation == kOpStore && pointers.contains(instruction.words[0]);
+    });
 }
 
 std::uint32_t SpirvModule::Struct::end() const {

@@ -29,6 +29,9 @@ inline constexpr std::uint32_t kOpTypeRuntimeArray = 29;
 inline constexpr std::uint32_t kOpTypeStruct = 30;
 inline constexpr std::uint32_t kOpFunction = 54;
 inline constexpr std::uint32_t kOpFunctionEnd = 56;
+inline constexpr std::uint32_t kOpStore = 62;
+inline constexpr std::uint32_t kOpAccessChain = 65;
+inline constexpr std::uint32_t kOpInBoundsAccessChain = 66;
 inline constexpr std::uint32_t kOpDecorate = 71;
 inline constexpr std::uint32_t kOpMemberDecorate = 72;
 inline constexpr std::uint32_t kOpFAdd = 129;
@@ -36,6 +39,7 @@ inline constexpr std::uint32_t kOpFSub = 131;
 inline constexpr std::uint32_t kOpFMul = 133;
 inline constexpr std::uint32_t kOpVectorTimesScalar = 142;
 inline constexpr std::uint32_t kArrayStride = 6;
+inline constexpr std::uint32_t kBinding = 33;
 inline constexpr std::uint32_t kOffset = 35;
 inline constexpr std::uint32_t kNoContraction = 42;
 
@@ -51,6 +55,11 @@ class SpirvModule {
     /// The instructions of the function whose name starts with `name` and an opening parenthesis; empty
     /// without one.
     [[nodiscard]] std::vector<SpirvInstruction> function(const std::string& name) const;
+
+    /// Whether any instruction points into the buffer bound to a number: declared alone it may be unused.
+    [[nodiscard]] bool reaches(std::uint32_t binding) const;
+    /// Whether any instruction stores into it.
+    [[nodiscard]] bool stores_into(std::uint32_t binding) const;
 
     struct Member {
         std::string name;
@@ -70,6 +79,8 @@ class SpirvModule {
     [[nodiscard]] std::vector<Struct> laid_out_structs() const;
 
   private:
+    /// Ids of pointers into the buffer bound to a number.
+    [[nodiscard]] std::set<std::uint32_t> pointers_into(std::uint32_t binding) const;
     [[nodiscard]] std::uint32_t size_of(std::uint32_t type) const;
 
     std::vector<SpirvInstruction> instructions_;
