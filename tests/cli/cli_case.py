@@ -53,6 +53,12 @@ class CliCase(unittest.TestCase):
     def scene(self, name):
         return self.scenes / name / f"{name}.glb"
 
+    def reflections(self):
+        """All names that --reflection takes, as the program's help has them."""
+        text = " ".join(self.succeed("render", "--help").stdout.split())
+        listed = re.search(r" Reflections: (.*?) --", text).group(1)
+        return re.split(r", | or ", re.sub(r" \(.*?\)", "", listed))
+
     def run_program(self, *arguments, environment=None):
         """The finished process. It works in the scratch folder, so relative paths land there."""
         return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True,

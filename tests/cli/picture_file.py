@@ -6,6 +6,9 @@ import zlib
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 PNG_CHANNELS = {0: 1, 2: 3, 6: 4}  # by colour type
 EXR_MAGIC = 20000630
+EXR_FLOAT = 2
+EXR_RGB = [("B", EXR_FLOAT), ("G", EXR_FLOAT), ("R", EXR_FLOAT)]
+EXR_ZIP, EXR_ZIP_ROWS = 3, 16
 
 
 def read_png(path):
@@ -39,9 +42,8 @@ def _text(data, offset):
     return data[offset:end].decode("utf-8"), end + 1
 
 
-def read_exr_header(path):
-    """(width, height, channel names, texts by name) of a single-part scan line file."""
-    data = path.read_bytes()
+def _exr_attributes(path, data):
+    """({name: (type, bytes)}, offset behind them) of a single-part file."""
     if struct.unpack_from("<I", data)[0] != EXR_MAGIC:
         raise ValueError(f"{path}: not an OpenEXR file")
     offset, attributes = 8, {}
@@ -51,14 +53,62 @@ def read_exr_header(path):
         size, = struct.unpack_from("<I", data, offset)
         attributes[name] = (kind, data[offset + 4:offset + 4 + size])
         offset += 4 + size
+    return attributes, offset + 1
+
+
+def _exr_size(attributes):
     left, top, right, bottom = struct.unpack("<4i", attributes["dataWindow"][1])
+    return right - left + 1, bottom - top + 1
+
+
+def _exr_channels(attributes):
+    """(name, type of its values) of each channel, in the order of the file."""
     contents, at, channels = attributes["channels"][1], 0, []
     while contents[at]:
         name, at = _text(contents, at)
-        channels.append(name)
+        channels.append((name, struct.unpack_from("<i", contents, at)[0]))
         at += 16
+    return channels
+
+
+def read_exr_header(path):
+    """(width, height, channel names, texts by name) of a single-part scan line file."""
+    attributes, _ = _exr_attributes(path, path.read_bytes())
     texts = {name: value.decode("utf-8") for name, (kind, value) in attributes.items() if kind == "string"}
-    return right - left + 1, bottom - top + 1, channels, texts
+    return *_exr_size(attributes), [name for name, _ in _exr_channels(attributes)], texts
+
+
+def _unzip_exr(packed, size):
+    """Bytes of a chunk: differences of neighbours were packed, those of even places first."""
+    if len(packed) == size:
+        return packed
+    halves, value = bytearray(zlib.decompress(packed)), 128
+    for i, difference in enumerate(halves):
+        value = (value + difference - 128) & 0xff
+        halves[i] = value
+    whole, even = bytearray(size), (size + 1) // 2
+    whole[0::2], whole[1::2] = halves[:even], halves[even:]
+    return bytes(whole)
+
+
+def read_exr(path):
+    """(width, height, rows of (red, green, blue)) of a scan line file packed with ZIP, of R, G and B as float32."""
+    data = path.read_bytes()
+    attributes, offset = _exr_attributes(path, data)
+    width, height = _exr_size(attributes)
+    if attributes["compression"][1] != bytes([EXR_ZIP]) or _exr_channels(attributes) != EXR_RGB:
+        raise ValueError(f"{path}: not R, G and B of float32, packed with ZIP")
+    rows = []
+    for first in range(0, height, EXR_ZIP_ROWS):
+        chunk, = struct.unpack_from("<Q", data, offset + 8 * (first // EXR_ZIP_ROWS))
+        _, length = struct.unpack_from("<ii", data, chunk)
+        count = min(EXR_ZIP_ROWS, height - first)
+        values = struct.unpack(f"<{3 * width * count}f",
+                               _unzip_exr(data[chunk + 8:chunk + 8 + length], 12 * width * count))
+        for at in range(0, len(values), 3 * width):
+            blue, green, red = (values[at + i * width:at + (i + 1) * width] for i in range(3))
+            rows.append(list(zip(red, green, blue)))
+    return width, height, rows
 
 
 def write_grey_png(path, width, height, level):

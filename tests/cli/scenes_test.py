@@ -1,42 +1,64 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every scene of the scenes folder renders by every method, without a sample that is not finite."""
+"""Every scene of the scenes folder renders by every method, without a sample that is not finite, and none is black."""
+import math
 import subprocess
 import sys
 import unittest
 
-from cli_case import TIMEOUT_SECONDS, CliCase
+import picture_file
+from cli_case import TIMEOUT_SECONDS, CliCase, environment_path
 
-SETTINGS = ("--size", "32x24", "--spp", "4", "--map-size", "16", "--map-spp", "2", "--light-spp", "2")
+SAMPLES, WIDTH, HEIGHT = 4, 32, 24
+SETTINGS = ("--size", f"{WIDTH}x{HEIGHT}", "--spp", str(SAMPLES), "--reference-spp", "2", "--map-size", "16",
+            "--map-spp", "2", "--light-spp", "2")
 # The scene of a million triangles is made to measure, and here it is small.
 LEAST_TRIANGLES = 50000
 
 
 class Scenes(CliCase):
-    def render(self, path, reflection):
-        values = self.json_of("render", path, "-o", "picture.exr", "--reflection", reflection, *SETTINGS)
-        self.assertEqual(values["nonfinite"], 0)
-        self.assertEqual(values["samples"], 4)
-        if reflection == "trace":
-            self.assertGreater(values["rays"], 32 * 24 * 4)
+    """Has a test for each of the kept scenes, see below."""
 
-    def test_kept_scenes(self):
-        paths = sorted(self.scenes.glob("*/*.glb"))
-        self.assertGreaterEqual({path.stem for path in paths},
-                                {"cluttered-mirror", "cornell", "curved-mirror", "mirror-cornell",
-                                 "mirror-corridor", "office", "spheres"})
-        for path in paths:
-            # Filling the light of a scene takes seconds; one method does for all that share it.
-            for reflection in ("trace", "proxy-map"):
-                with self.subTest(scene=path.stem, reflection=reflection):
-                    self.render(path, reflection)
+    def render(self, path):
+        # Filling the light of a scene takes seconds: a comparison shares it among the methods.
+        values = self.json_of("compare", path, "-o", "report", *SETTINGS)
+        self.assertEqual(values["failed"], [])
+        self.assertEqual([result["reflection"] for result in values["methods"]], self.reflections())
+        for result in values["methods"]:
+            with self.subTest(method=result["name"]):
+                self.assertEqual(result["nonfinite"], 0)
+                self.assertEqual(result["settings"]["samples"], SAMPLES)
+                if result["reflection"] == "trace":
+                    self.assertGreater(result["rays"], WIDTH * HEIGHT * SAMPLES)
+                self.check_picture(self.scratch / "report" / result["image"])
+
+    def check_picture(self, path):
+        width, height, rows = picture_file.read_exr(path)
+        self.assertEqual((width, height), (WIDTH, HEIGHT))
+        values = [value for row in rows for pixel in row for value in pixel]
+        self.assertTrue(all(math.isfinite(value) and value >= 0.0 for value in values))
+        # All scenes are lit rooms, or stages that fill most of the view.
+        self.assertGreater(sum(value > 0.0 for value in values), len(values) / 2)
 
     def test_generated_scene(self):
         path = self.scratch / "million.glb"
         subprocess.run([sys.executable, self.scenes / "million/generate.py", "--out", path,
                         "--triangles", str(LEAST_TRIANGLES)], check=True, timeout=TIMEOUT_SECONDS)
         self.assertGreaterEqual(self.json_of("info", path)["triangles"], LEAST_TRIANGLES)
-        self.render(path, "trace")
+        self.render(path)
+
+    def test_kept_scenes_have_tests(self):
+        kept = {"cluttered-mirror", "cornell", "curved-mirror", "mirror-cornell", "mirror-corridor", "office",
+                "spheres"}
+        self.assertGreaterEqual({path.stem for path in kept_scenes()}, kept)
+
+
+def kept_scenes():
+    return sorted(environment_path("UTSURI_SCENES").glob("*/*.glb"))
+
+
+for scene in kept_scenes():
+    setattr(Scenes, f"test_{scene.stem}", lambda self, path=scene: self.render(path))
 
 
 if __name__ == "__main__":
