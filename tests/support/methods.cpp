@@ -85,10 +85,6 @@ Scene everything_scene() {
     add(scene, room(glm::vec3(-2, 0, -2.5f), glm::vec3(2, 3, 2.5f)), walls);
     add(scene, quad(glm::vec3(-0.5f, 2.9f, -0.5f), glm::vec3(1, 0, 0), glm::vec3(0, 0, 1)),
         emitter(glm::vec3(50)));
-    // The panel's front is below.
-    scene.meshes.back().triangles = {{0, 2, 1}, {0, 3, 2}};
-    for (glm::vec3& normal : scene.meshes.back().normals)
-        normal = -normal;
     add(scene, icosphere(glm::vec3(-0.6f, 0.5f, -0.5f), 0.5f, 2), mirror());
     add(scene, icosphere(glm::vec3(0.9f, 0.4f, 0.2f), 0.4f, 1),
         rough_metal(0.4f, glm::vec3(0.9f, 0.7f, 0.4f)));
