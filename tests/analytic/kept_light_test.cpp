@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Traced pictures lit from the light kept on surfaces: --kept-light.
 #include "renderers/methods/method.h"
-
 #include "support/estimate.h"
 #include "support/light_scenes.h"
 #include "support/methods.h"
@@ -61,9 +60,9 @@ Scene matt_room() {
     return scene;
 }
 
-// Both estimate the same picture, each with the noise of where its samples lie in their pixels. The picture of half
-// the samples is off the whole by as much as the whole is off the truth, in the mean square; two such errors add up to
-// twice that, and twice as much again is left to the estimate itself.
+// Both estimate the same picture, each with the noise of where its samples lie in their pixels. The picture
+// of half the samples is off the whole by as much as the whole is off the truth, in the mean square; two such
+// errors add up to twice that, and twice as much again is left to the estimate itself.
 TEST_F(KeptLightTraced, ShowsWhatDrawnSurfacesShow) {
     const Camera camera = look_at({1.5, 2.2, 1.8}, {0, 0.8, 0}, 1.0);
     const Pictures traced = render(matt_room(), camera, "trace", picture_of(64, true));
@@ -83,8 +82,9 @@ TEST_F(KeptLightTraced, TakesNoShadowRaysOnMattSurfaces) {
     EXPECT_GT(traced.statistics.prepare_counts.rays, 0u);
 }
 
-// Under uniform surroundings of radiance 1 a pixel tells the albedo of all lobes. Kept light leaves by the mean share
-// that the glossy lobe lets through, which is exact there: it is the mean over a Lambert lobe of uniform light.
+// Under uniform surroundings of radiance 1 a pixel tells the albedo of all lobes. Kept light leaves by the
+// mean share that the glossy lobe lets through, which is exact there: it is the mean over a Lambert lobe of
+// uniform light.
 TEST_F(KeptLightTraced, HasTheAlbedoOfGlossySurfaces) {
     for (const float roughness : {0.2f, 0.6f, 1.0f}) {
         for (const double height : {0.3, 3.0}) {

@@ -102,8 +102,8 @@ class PredictedErrors : public DeviceTest {
         return {renderer.predict_errors(), renderer.measure_errors()};
     }
     static std::unique_ptr<RasterRenderer> prepared(const SceneData& data, const GpuScene& gpu_scene,
-                                                 KeptLight& light, const Camera& first_eye, MapKind kind,
-                                                 std::uint32_t most_probes = 1) {
+                                                    KeptLight& light, const Camera& first_eye, MapKind kind,
+                                                    std::uint32_t most_probes = 1) {
         MapSettings settings;
         settings.most_probes = most_probes;
         settings.size = kMapSize;
@@ -113,8 +113,8 @@ class PredictedErrors : public DeviceTest {
         picture.width = kWidth;
         picture.height = kHeight;
         auto renderer = std::make_unique<RasterRenderer>(
-            RendererInput{device(), data, gpu_scene, light_methods().front(), light, first_eye}, RasterMethod{kind},
-            picture, settings);
+            RendererInput{device(), data, gpu_scene, light_methods().front(), light, first_eye},
+            RasterMethod{kind}, picture, settings);
         Progress progress;
         renderer->prepare(progress);
         return renderer;
