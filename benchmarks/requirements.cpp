@@ -6,7 +6,7 @@
 #include "import/gltf.h"
 #include "renderers/methods/method.h"
 #include "renderers/methods/ray_tracer.h"
-#include "renderers/reflection/glossy/rough_map_plan.h"
+#include "renderers/reflection/glossy/glossy_map_plan.h"
 
 #include "base/check.h"
 
@@ -33,7 +33,7 @@ SceneData with_everything_on(SceneData data) {
     needs.punctual_lights = std::max(needs.punctual_lights, 1u);
     needs.glossy = true;
     needs.specular = true;
-    needs.specular_depth = kUnboundedSpecularDepth;
+    needs.max_depth = kUnboundedDepth;
     data.bvh.depth = interop::BVH_MAX_DEPTH;
     needs.reflective_instances.clear();
     for (std::uint32_t instance = 0; instance < needs.instances; ++instance)
@@ -70,12 +70,12 @@ class Contestant {
     Film film_;
 };
 
-/// Device memory of what reflective and rough instances look up, in bytes.
+/// Device memory of what reflective and glossy instances look up, in bytes.
 std::uint64_t map_bytes(const SceneData& data, std::uint32_t size) {
     const std::uint64_t stride = std::uint64_t{size} + std::uint64_t{2} * interop::MAP_BORDER;
     return data.requirements.reflective_instances.size() * interop::CUBE_FACES * stride * stride *
                sizeof(glm::vec3) +
-           rough_map_bytes(data, size);
+           glossy_map_bytes(data, size);
 }
 
 Json measure_scene(Session&, const std::string& path, const SceneProgram& program) {

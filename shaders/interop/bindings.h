@@ -40,7 +40,7 @@ INTEROP_CONSTANT BINDING_PROBE_RANGES = 20u;  ///< ProbeRange of each reflector
 INTEROP_CONSTANT BINDING_MAP_FACES = 21u;     ///< a uniform block
 INTEROP_CONSTANT BINDING_MAP_TEXELS = 22u;
 INTEROP_CONSTANT BINDING_MAP_STATES = 23u;    ///< how many maps are wanted, then the MAP_ state of each
-INTEROP_CONSTANT BINDING_PROXY_PLANES = 24u;  ///< of reflectors, then of rough instances
+INTEROP_CONSTANT BINDING_PROXY_PLANES = 24u;  ///< of reflectors, then of glossy instances
 
 // Distances and radiance about capture points.
 INTEROP_CONSTANT BINDING_DISTANCE_MAPS = 25u;  ///< DistanceMapInfo of each probe
@@ -51,13 +51,13 @@ INTEROP_CONSTANT BINDING_RADIANCE_SAMPLES = 29u;  ///< of one face about a captu
 INTEROP_CONSTANT BINDING_DARKEST = 30u;  ///< of each block of directions, numbered as distance bounds
 INTEROP_CONSTANT BINDING_BRIGHTEST = 31u;
 
-// Maps of rough lobes.
-INTEROP_CONSTANT BINDING_ROUGH_MAPS = 32u;    ///< RoughMapInfo of each instance of the scene
-INTEROP_CONSTANT BINDING_ROUGH_PROBES = 33u;  ///< RoughProbe of each instance, one after the other
-INTEROP_CONSTANT BINDING_ROUGH_LEVELS = 34u;
-INTEROP_CONSTANT BINDING_ROUGH_TEXELS = 35u;
-INTEROP_CONSTANT BINDING_ROUGH_INVERSE_DISTANCES = 36u;  ///< of each texel of rough maps
-INTEROP_CONSTANT BINDING_MAP_INVERSE_DISTANCES = 37u;    ///< of each texel of what rough maps are made of
+// Maps of glossy lobes.
+INTEROP_CONSTANT BINDING_GLOSSY_MAPS = 32u;    ///< GlossyMapInfo of each instance of the scene
+INTEROP_CONSTANT BINDING_GLOSSY_PROBES = 33u;  ///< GlossyProbe of each instance, one after the other
+INTEROP_CONSTANT BINDING_GLOSSY_LEVELS = 34u;
+INTEROP_CONSTANT BINDING_GLOSSY_TEXELS = 35u;
+INTEROP_CONSTANT BINDING_GLOSSY_INVERSE_DISTANCES = 36u;  ///< of each texel of glossy maps
+INTEROP_CONSTANT BINDING_MAP_INVERSE_DISTANCES = 37u;     ///< of each texel of what glossy maps are made of
 INTEROP_CONSTANT BINDING_LOBE_ALBEDO = 38u;
 
 // Polygons of reflectors.

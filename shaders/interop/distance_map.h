@@ -13,7 +13,7 @@ INTEROP_CONSTANT DISTANCE_BORDER = 1u;
 
 /// What rays from the capture point meet, in metres: infinity where they meet nothing; 0 where what they meet
 /// lies behind the plane of a plane mirror, which can never show it; negative where they meet a mirror or,
-/// where distances are to tell of radiance, a rough lobe: what depends on from where it is seen.
+/// where distances are to tell of radiance, a glossy lobe: what depends on from where it is seen.
 struct DistanceSample {
     float centre;  ///< through the centre of the texel
     float corner;  ///< through its corner of least coordinates

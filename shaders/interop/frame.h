@@ -31,7 +31,7 @@ struct FramePush {
     uint sample_begin;  ///< samples of this dispatch: [begin, end)
     uint sample_end;
     uint seed;
-    uint specular_depth;     ///< most specular reflections followed
+    uint max_depth;          ///< most specular reflections followed
     uint excluded_instance;  ///< invisible instance, or NONE
 };
 
@@ -53,7 +53,7 @@ struct Counters {
     uint nonfinite;   ///< samples that were not finite and were left out
     uint lookups;     ///< specular directions resolved
     uint traced;      ///< of those, by following a ray
-    uint truncated;   ///< specular chains cut at specular_depth
+    uint truncated;   ///< specular chains cut at max_depth
     uint incomplete;  ///< pixels whose loop over the samples the driver ended early
 };
 

@@ -13,7 +13,7 @@ struct FrameInfo {
     float near_plane;  ///< distance along the viewing direction
     uint sample_index;
     uint seed;
-    uint specular_depth;  ///< most specular reflections followed
+    uint max_depth;   ///< most specular reflections followed
     float tolerance;  ///< predicted error up to which maps are looked up: pixels, or share of the radiance
 };
 
@@ -25,19 +25,19 @@ INTEROP_FLOAT_CONSTANT DRAWN_RAY = 1024.0f;     ///< or more: by so many rays ti
 INTEROP_CONSTANT DRAWN_MOST_RAYS = 8191u;
 
 /// Number of the image that the eye sees directly; those in mirrors follow.
-INTEROP_CONSTANT IMAGE_OF_EYE = 1024u;
+INTEROP_CONSTANT VIEW_OF_EYE = 1024u;
 /// Instead of an image: a mirror whose image is not drawn.
-INTEROP_CONSTANT IMAGE_TRUNCATED = 0u;
+INTEROP_CONSTANT VIEW_TRUNCATED = 0u;
 
 /// Push constants of what draws one image of the scene: as seen from the eye, or from an eye mirrored in one
 /// mirror after the other. At most 128 bytes (the least that Vulkan guarantees).
-struct ImagePush {
+struct ViewPush {
     CameraInfo camera;
     vec3 normal;  ///< only what is at dot(normal, x) > offset shows in the last mirror
     float offset;
     uint number;       ///< of this image: only pixels that wait for it are drawn
     uint reflections;  ///< mirrors that it is seen in
-    uint next;         ///< image in the mirror that is drawn, or IMAGE_TRUNCATED
+    uint next;         ///< image in the mirror that is drawn, or VIEW_TRUNCATED
 };
 
 struct AddDrawnPush {

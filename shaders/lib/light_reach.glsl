@@ -7,7 +7,7 @@
 #include "lib/numeric.glsl"
 
 /// Narrows the ways [begin, end] to those t with t * slope <= limit.
-void narrow_ways(float slope, float limit, inout float begin, inout float end) {
+void clip_interval(float slope, float limit, inout float begin, inout float end) {
     if (slope > 0.0) end = min(end, limit / slope);
     else if (slope < 0.0) begin = max(begin, limit / slope);
     else if (limit < 0.0) end = -1.0;
@@ -15,15 +15,15 @@ void narrow_ways(float slope, float limit, inout float begin, inout float end) {
 
 /// Whether a straight way from a point to somewhere within the bounds of lights meets a box: the share t of all ways has
 /// come as far as point + t * [lower, upper], a box that grows with t; the slab test of Kay and Kajiya (1986) for it.
-bool lies_on_way_to_light(ChangedBox box, vec3 point, LightBounds lights) {
+bool may_block_light(ChangedBox box, vec3 point, LightBounds lights) {
     bool infinite = lights.infinite != 0u;
     vec3 lower = infinite ? lights.lower : lights.lower - point;
     vec3 upper = infinite ? lights.upper : lights.upper - point;
     float begin = 0.0;
     float end = infinite ? INFINITY : 1.0;
     for (int axis = 0; axis < 3; ++axis) {
-        narrow_ways(lower[axis], box.upper[axis] - point[axis], begin, end);
-        narrow_ways(-upper[axis], point[axis] - box.lower[axis], begin, end);
+        clip_interval(lower[axis], box.upper[axis] - point[axis], begin, end);
+        clip_interval(-upper[axis], point[axis] - box.lower[axis], begin, end);
     }
     return begin <= end;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much each of several capture points counts for what a rough lobe reflects: weights that change steadily over a surface.
+// How much each of several capture points counts for what a glossy lobe reflects: weights that change steadily over a surface.
 #ifndef UTSURI_LIB_PROBE_BLEND
 #define UTSURI_LIB_PROBE_BLEND
 
@@ -7,7 +7,7 @@
 /// angle all around. Changes by no more than the place on the surface does.
 /// @param place on the surface, from the capture point
 /// @param direction unit, of the lobe
-float lobe_passes_at(vec3 place, vec3 direction, float alpha) {
+float lobe_distance(vec3 place, vec3 direction, float alpha) {
     // Half of GGX's half vectors are within atan(alpha) of the normal, so half of the rays within twice that.
     float sine = 2.0 * alpha / (1.0 + alpha * alpha);
     float sine2 = sine * sine;

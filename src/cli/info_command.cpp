@@ -6,7 +6,7 @@
 #include "renderers/film/film.h"
 #include "renderers/light/direct/lattice_plan.h"
 #include "renderers/reflection/distances/distance_maps.h"
-#include "renderers/reflection/glossy/rough_map_plan.h"
+#include "renderers/reflection/glossy/glossy_map_plan.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -30,7 +30,7 @@ struct Prediction {
     std::uint64_t light = 0;         ///< kept on surfaces, for methods that draw
     std::uint64_t drawing = 0;       ///< the pictures that are drawn into
     std::uint64_t polygon_maps = 0;  ///< with their film
-    std::uint64_t rough_maps = 0;    ///< what rough lobes reflect, with what it takes to capture that
+    std::uint64_t glossy_maps = 0;   ///< what glossy lobes reflect, with what it takes to capture that
     std::uint64_t distances = 0;     ///< beside both, for methods that keep distances
 };
 
@@ -51,8 +51,8 @@ Prediction predict(const SceneData& data, const RenderSettings& settings, const 
             reflectors * maps.polyhedron.planes.size() * stride * stride * sizeof(glm::vec3) +
             Film::bytes(maps.size + 2, maps.size + 2);
     }
-    prediction.rough_maps = rough_map_bytes(data, maps.size);
-    prediction.distances = rough_distance_bytes(data, maps.size);
+    prediction.glossy_maps = glossy_map_bytes(data, maps.size);
+    prediction.distances = glossy_distance_bytes(data, maps.size);
     if (reflectors > 0) {
         prediction.distances += reflectors * DistanceMaps::bytes(DistanceMaps::size_for(maps.size)) +
                                 data.triangle_infos.size() * sizeof(float);
@@ -61,8 +61,8 @@ Prediction predict(const SceneData& data, const RenderSettings& settings, const 
 }
 
 std::string depth_text(std::uint32_t depth) {
-    return depth == kUnboundedSpecularDepth ? "unbounded (surfaces that reflect can face each other)"
-                                            : fmt::format("{}", depth);
+    return depth == kUnboundedDepth ? "unbounded (surfaces that reflect can face each other)"
+                                    : fmt::format("{}", depth);
 }
 
 std::string yes(bool value) {
@@ -99,7 +99,7 @@ std::string describe(const InfoOptions& options, const LoadedScene& loaded, cons
     for (const std::uint32_t instance : needs.reflective_instances) {
         row("", loaded.scene.instances[instance].name);
     }
-    row("specular chain depth", depth_text(needs.specular_depth));
+    row("specular chain depth", depth_text(needs.max_depth));
     text +=
         fmt::format("memory predicted at {}, maps of {}\n", options.picture.size, options.picture.map_size);
     row("scene", format_bytes(memory.scene));
@@ -107,7 +107,7 @@ std::string describe(const InfoOptions& options, const LoadedScene& loaded, cons
     row("light on surfaces", format_bytes(memory.light));
     row("drawing", format_bytes(memory.drawing));
     row("polygon maps", format_bytes(memory.polygon_maps));
-    row("maps of rough lobes", format_bytes(memory.rough_maps));
+    row("maps of rough lobes", format_bytes(memory.glossy_maps));
     row("distances beside maps", format_bytes(memory.distances));
     if (!loaded.notes.empty()) text += "notes\n";
     for (const std::string& note : loaded.notes)
@@ -125,36 +125,36 @@ nlohmann::ordered_json to_json(const InfoOptions& options, const LoadedScene& lo
     nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
     for (const Camera& camera : loaded.scene.cameras)
         cameras.push_back(camera.name);
-    return {{"scene", options.scene},
-            {"triangles", needs.triangles},
-            {"vertices", needs.vertices},
-            {"instances", needs.instances},
-            {"materials", needs.materials},
-            {"textures", needs.textures},
-            {"texels", needs.texels},
-            {"cameras", cameras},
-            {"bvh_nodes", data.bvh.nodes.size()},
-            {"bvh_depth", data.bvh.depth},
-            {"requires",
-             {{"emissive_triangles", needs.emissive_triangles},
-              {"punctual_lights", needs.punctual_lights},
-              {"environment", needs.environment},
-              {"textures", needs.textures > 0},
-              {"glossy", needs.glossy},
-              {"specular", needs.specular},
-              {"reflective_instances", reflective},
-              {"specular_depth", needs.specular_depth == kUnboundedSpecularDepth
-                                     ? nlohmann::ordered_json(nullptr)
-                                     : nlohmann::ordered_json(needs.specular_depth)}}},
-            {"predicted_bytes",
-             {{"scene", memory.scene},
-              {"film", memory.film},
-              {"light", memory.light},
-              {"drawing", memory.drawing},
-              {"polygon_maps", memory.polygon_maps},
-              {"rough_maps", memory.rough_maps},
-              {"distances", memory.distances}}},
-            {"notes", loaded.notes}};
+    return {
+        {"scene", options.scene},
+        {"triangles", needs.triangles},
+        {"vertices", needs.vertices},
+        {"instances", needs.instances},
+        {"materials", needs.materials},
+        {"textures", needs.textures},
+        {"texels", needs.texels},
+        {"cameras", cameras},
+        {"bvh_nodes", data.bvh.nodes.size()},
+        {"bvh_depth", data.bvh.depth},
+        {"requires",
+         {{"emissive_triangles", needs.emissive_triangles},
+          {"punctual_lights", needs.punctual_lights},
+          {"environment", needs.environment},
+          {"textures", needs.textures > 0},
+          {"glossy", needs.glossy},
+          {"specular", needs.specular},
+          {"reflective_instances", reflective},
+          {"specular_depth", needs.max_depth == kUnboundedDepth ? nlohmann::ordered_json(nullptr)
+                                                                : nlohmann::ordered_json(needs.max_depth)}}},
+        {"predicted_bytes",
+         {{"scene", memory.scene},
+          {"film", memory.film},
+          {"light", memory.light},
+          {"drawing", memory.drawing},
+          {"polygon_maps", memory.polygon_maps},
+          {"rough_maps", memory.glossy_maps},
+          {"distances", memory.distances}}},
+        {"notes", loaded.notes}};
 }
 
 ExitCode info(const InfoOptions& options) {

@@ -102,6 +102,7 @@ nlohmann::ordered_json to_json(const Result& result, const RenderOptions& option
             {"height", result.image.height},
             {"seed", options.picture.seed},
             {"specular_depth", options.picture.depth},
+            {"kept_light", options.picture.kept_light},
             {"samples", result.samples},
             {"noise", result.noise ? nlohmann::ordered_json(*result.noise) : nlohmann::ordered_json(nullptr)},
             {"prepare_seconds", result.statistics.prepare_seconds},

@@ -106,7 +106,7 @@ std::string comparison_table(const Comparison& comparison) {
         "{} on {} ({})\n{} triangles, {} x {} pixels, {} of them reflective; mirrors "
         "followed {} times at most\n\n",
         comparison.scene, comparison.device.name, comparison.device.driver, comparison.triangles,
-        picture.width, picture.height, comparison.reflective_pixels, comparison.settings.specular_depth);
+        picture.width, picture.height, comparison.reflective_pixels, comparison.settings.max_depth);
     text += fmt::format(kRow, "cost", "samples", "prepare", "compile", "frame", "a sample", "memory", "rays",
                         "traced", "non-fin.");
     text += cost_row("reference", comparison.reference);

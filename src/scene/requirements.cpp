@@ -124,7 +124,7 @@ Requirements find_requirements(const Scene& scene) {
     needs.environment = scene.environment != glm::vec3(0.0f);
     needs.specular = !needs.reflective_instances.empty();
     if (!lobed_instances.empty()) {
-        needs.specular_depth = in_one_plane(scene, lobed_instances) ? 1 : kUnboundedSpecularDepth;
+        needs.max_depth = in_one_plane(scene, lobed_instances) ? 1 : kUnboundedDepth;
     }
     return needs;
 }

@@ -11,7 +11,7 @@ namespace utsuri {
 
 /// What shading a material takes.
 struct SurfaceFeatures {
-    bool glossy = false;    ///< some point has a rough specular lobe
+    bool glossy = false;    ///< some point has a glossy specular lobe
     bool specular = false;  ///< some point reflects like a perfect mirror
     bool textured = false;
 
@@ -36,22 +36,22 @@ struct Requirements {
     std::uint64_t emissive_triangles = 0;
     std::uint32_t punctual_lights = 0;
     bool environment = false;                         ///< uniform surroundings
-    bool glossy = false;                              ///< rough specular lobes
+    bool glossy = false;                              ///< glossy specular lobes
     bool specular = false;                            ///< perfect mirrors or smooth dielectrics
     std::vector<std::uint32_t> reflective_instances;  ///< with a specular surface
     std::vector<SurfaceFeatures> surfaces;            ///< of each material, in use or not
     std::vector<RoughnessRange> roughness;            ///< of each material
     /// Most specular reflections a ray can meet: 0 without specular lobes, 1 where all surfaces that have one
     /// lie in one plane, else unbounded.
-    std::uint32_t specular_depth = 0;
+    std::uint32_t max_depth = 0;
 };
 
-/// Requirements::specular_depth where surfaces with specular lobes can face each other.
-inline constexpr std::uint32_t kUnboundedSpecularDepth = 0xffffffffu;
+/// Requirements::max_depth where surfaces with specular lobes can face each other.
+inline constexpr std::uint32_t kUnboundedDepth = 0xffffffffu;
 
 /// Whether some point of the material reflects like a perfect mirror.
 bool may_be_specular(const Scene& scene, const Material& material);
-/// Whether some point of the material has a rough specular lobe.
+/// Whether some point of the material has a glossy specular lobe.
 bool may_be_glossy(const Scene& scene, const Material& material);
 
 Requirements find_requirements(const Scene& scene);

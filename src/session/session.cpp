@@ -36,7 +36,7 @@ std::vector<std::shared_ptr<PictureState>> SessionState::live_pictures() {
     return live;
 }
 
-void SessionState::drop_what_was_made() {
+void SessionState::drop_derived() {
     for (const std::shared_ptr<PictureState>& picture : live_pictures())
         picture->drop();
     if (scene) scene->lights.clear();
@@ -65,7 +65,7 @@ void take_over(SessionState& state, const SceneChange& change, Progress& progres
             if (picture->film) picture->film->clear();
         }
     } catch (...) {
-        state.drop_what_was_made();
+        state.drop_derived();
         throw;
     }
 }
@@ -82,12 +82,12 @@ SceneUpdate Session::set_scene(const Scene& scene, Progress& progress) {
         change = update_scene_data(state_->scene->data, scene);
         state_->scene->on_device.update(state_->scene->data);
     } catch (...) {
-        state_->drop_what_was_made();
+        state_->drop_derived();
         state_->scene.reset();
         throw;
     }
     if (change.rebuilt) {
-        state_->drop_what_was_made();
+        state_->drop_derived();
         return SceneUpdate::rebuilt;
     }
     if (change.empty()) return SceneUpdate::unchanged;

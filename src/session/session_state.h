@@ -51,7 +51,7 @@ struct SessionState {
     /// Pictures that are still there.
     std::vector<std::shared_ptr<PictureState>> live_pictures();
     /// Makes pictures and lights anew when they are next needed.
-    void drop_what_was_made();
+    void drop_derived();
 };
 
 }  // namespace utsuri

@@ -71,7 +71,7 @@ TEST_F(Furnace, MirrorsShowExactlyOne) {
     Observer observer(device(), scene);
     RenderSettings settings;
     settings.width = settings.height = 48;
-    settings.specular_depth = 64;
+    settings.max_depth = 64;
     const Image image = observer.picture(look_at({0.5, 2.5, 5}, {0, 0.8, 0}), settings, 4);
     for (const glm::vec3& pixel : image.pixels)
         ASSERT_EQ(pixel, glm::vec3(1.0f));
@@ -119,8 +119,8 @@ TEST_F(Furnace, ReflectanceOfAMetalScalesItsAlbedo) {
     }
 }
 
-// Rough lobes above normals that are not the surface's: no more light leaves than comes.
-TEST_F(Furnace, RoughMetalBallNeverGains) {
+// Glossy lobes above normals that are not the surface's: no more light leaves than comes.
+TEST_F(Furnace, GlossyMetalBallNeverGains) {
     for (const double alpha : {0.04, 0.25, 1.0}) {
         SCOPED_TRACE(alpha);
         Scene scene;

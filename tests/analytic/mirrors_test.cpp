@@ -111,7 +111,7 @@ Image look_along(Observer& observer, const glm::dvec3& direction, std::uint32_t 
                  std::uint32_t samples = 2) {
     RenderSettings settings;
     settings.width = settings.height = kCloseUpSize;
-    settings.specular_depth = depth;
+    settings.max_depth = depth;
     return observer.picture(look_at({0, 0, 0}, direction, kCloseUpAngle), settings, samples);
 }
 

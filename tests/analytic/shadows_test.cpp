@@ -97,7 +97,7 @@ class LightLeaks : public DeviceTest {
                              << target.x << ' ' << target.y << ' ' << target.z << ", " << angle);
                 RenderSettings settings;
                 settings.width = settings.height = 32;
-                settings.specular_depth = 32;
+                settings.max_depth = 32;
                 const Camera camera = look_at(place({0.1, -0.05, 0.2}), place(target), angle);
                 const Image image = observer.picture(camera, settings, samples);
                 for (const glm::vec3& pixel : image.pixels)

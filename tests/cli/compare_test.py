@@ -74,7 +74,7 @@ class CompareOffice(Compare):
     def test_top_level(self):
         self.assert_fields(self.values, TOP_FIELDS)
         expected = {"schema": 1, "scene": str(self.scene("office")), "width": 64, "height": 48, "seed": 5,
-                    "light": "direct", "triangles": 3692, "interrupted": False, "notes": []}
+                    "light": "direct", "kept_light": False, "triangles": 3692, "interrupted": False, "notes": []}
         self.assertEqual({name: self.values[name] for name in expected}, expected)
         self.assertEqual(sorted(self.values["device"]), ["api", "driver", "name"])
         self.assertTrue(self.values["command"].startswith("utsuri compare "))

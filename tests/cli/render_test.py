@@ -95,7 +95,7 @@ class Render(CliCase):
     def test_json(self):
         values = self.render("picture.exr", "--spp", "2", "--seed", "7", "--depth", "5")
         expected = {"image": "picture.exr", "light": "direct", "reflection": "trace", "width": 16,
-                    "height": 12, "seed": 7, "specular_depth": 5, "samples": 2, "nonfinite": 0}
+                    "height": 12, "seed": 7, "specular_depth": 5, "kept_light": False, "samples": 2, "nonfinite": 0}
         self.assertEqual({name: values[name] for name in expected}, expected)
         self.assertEqual(sorted(values["device"]), ["api", "driver", "name"])
         # Every sample follows a ray from the camera, and one to the light where that hits something.

@@ -90,7 +90,7 @@ void expect_lit(const Image& image, std::optional<MapKind> kind = std::nullopt) 
 }
 
 constexpr std::size_t kMirrorBall = 2;
-constexpr std::size_t kRoughBall = 3;
+constexpr std::size_t kGlossyBall = 3;
 
 /// everything_scene(), all of it shining with 1 but for the mirror ball: whatever that shows has a radiance
 /// of 1, and so has every pixel, whatever is looked up and wherever rays end.
@@ -278,7 +278,7 @@ TEST_F(Degenerate, EyeInsideTheBall) {
 
 TEST_F(Degenerate, VertexNormalsThatCancelOrPointInside) {
     const auto spoilt = [](Scene scene) {
-        for (const std::size_t ball : {kMirrorBall, kRoughBall}) {
+        for (const std::size_t ball : {kMirrorBall, kGlossyBall}) {
             std::vector<glm::vec3>& normals = scene.meshes[ball].normals;
             for (std::size_t i = 0; i < normals.size(); ++i)
                 normals[i] *= i % 2 == 0 ? 1.0f : -1.0f;

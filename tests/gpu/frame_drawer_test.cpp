@@ -52,13 +52,13 @@ class DrawnFrames : public DeviceTest {
         std::vector<interop::ProxyPlane> planes;
         const ReflectionMaps maps(device(), data, MapKind::polygon, settings, {camera, kWidth, kHeight},
                                   planes);
-        const RoughMaps rough_maps(device(), data, rough_map_settings(MapKind::polygon, settings), planes);
+        const GlossyMaps glossy_maps(device(), data, glossy_map_settings(MapKind::polygon, settings), planes);
         const Buffer plane_buffer = make_buffer<interop::ProxyPlane>(device(), planes, "planes");
         const Buffer frame(device(), sizeof(interop::FrameInfo), "frame");
         Bindings bindings = gpu_scene.bindings();
         bindings.merge(cache.bindings());
         bindings.merge(maps.bindings());
-        bindings.merge(rough_maps.bindings());
+        bindings.merge(glossy_maps.bindings());
         bindings[interop::BINDING_PROXY_PLANES] = &plane_buffer;
         bindings[interop::BINDING_FRAME] = &frame;
         FrameDrawer drawer(device(), data, gpu_scene.specialization(), bindings, nullptr, kWidth, kHeight);
@@ -66,7 +66,7 @@ class DrawnFrames : public DeviceTest {
         const auto info = make_camera_info(camera, data.origin, kWidth, kHeight);
         interop::FrameInfo shared = frame_info(data, kWidth, kHeight);
         shared.seed = kSeed;
-        shared.specular_depth = 8;
+        shared.max_depth = 8;
         const auto record = [&](const vk::raii::CommandBuffer& commands,
                                 const interop::FrameInfo& of_sample) {
             drawer.record(commands, info, of_sample);

@@ -6,12 +6,12 @@
 #include "interop/bvh.h"
 #include "interop/distance_map.h"
 #include "interop/frame.h"
+#include "interop/glossy_map.h"
 #include "interop/light_cache.h"
 #include "interop/radiance_bounds.h"
 #include "interop/raster.h"
 #include "interop/rays.h"
 #include "interop/reflection.h"
-#include "interop/rough_map.h"
 #include "interop/scene.h"
 
 #include <fmt/format.h>
@@ -62,7 +62,7 @@ std::map<std::string, HostStruct> host_structs() {
          {sizeof(FramePush),
           {AT(FramePush, camera), AT(FramePush, width), AT(FramePush, height), AT(FramePush, first_row),
            AT(FramePush, rows), AT(FramePush, first_tile), AT(FramePush, sample_begin),
-           AT(FramePush, sample_end), AT(FramePush, seed), AT(FramePush, specular_depth),
+           AT(FramePush, sample_end), AT(FramePush, seed), AT(FramePush, max_depth),
            AT(FramePush, excluded_instance)}}},
         {"DistanceSample",
          {sizeof(DistanceSample),
@@ -117,12 +117,12 @@ std::map<std::string, HostStruct> host_structs() {
         {"FrameInfo",
          {sizeof(FrameInfo),
           {AT(FrameInfo, jitter), AT(FrameInfo, pixel_size), AT(FrameInfo, width), AT(FrameInfo, near_plane),
-           AT(FrameInfo, sample_index), AT(FrameInfo, seed), AT(FrameInfo, specular_depth),
+           AT(FrameInfo, sample_index), AT(FrameInfo, seed), AT(FrameInfo, max_depth),
            AT(FrameInfo, tolerance)}}},
         {"ImagePush",
-         {sizeof(ImagePush),
-          {AT(ImagePush, camera), AT(ImagePush, normal), AT(ImagePush, offset), AT(ImagePush, number),
-           AT(ImagePush, reflections), AT(ImagePush, next)}}},
+         {sizeof(ViewPush),
+          {AT(ViewPush, camera), AT(ViewPush, normal), AT(ViewPush, offset), AT(ViewPush, number),
+           AT(ViewPush, reflections), AT(ViewPush, next)}}},
         {"AddDrawnPush", {sizeof(AddDrawnPush), {AT(AddDrawnPush, pixels), AT(AddDrawnPush, sample_index)}}},
         {"RayInfo",
          {sizeof(RayInfo),
@@ -170,14 +170,14 @@ std::map<std::string, HostStruct> host_structs() {
          {sizeof(ResolveMapPush),
           {AT(ResolveMapPush, texels), AT(ResolveMapPush, first_texel), AT(ResolveMapPush, samples)}}},
         {"RoughMapInfo",
-         {sizeof(RoughMapInfo),
-          {AT(RoughMapInfo, first_probe), AT(RoughMapInfo, probes), AT(RoughMapInfo, levels),
-           AT(RoughMapInfo, least_roughness), AT(RoughMapInfo, steps_per_unit),
-           AT(RoughMapInfo, blend_width)}}},
+         {sizeof(GlossyMapInfo),
+          {AT(GlossyMapInfo, first_probe), AT(GlossyMapInfo, probes), AT(GlossyMapInfo, levels),
+           AT(GlossyMapInfo, least_roughness), AT(GlossyMapInfo, steps_per_unit),
+           AT(GlossyMapInfo, blend_width)}}},
         {"RoughProbe",
-         {sizeof(RoughProbe),
-          {AT(RoughProbe, capture_point), AT(RoughProbe, proxy), AT(RoughProbe, first_level)}}},
-        {"RoughLevel", {sizeof(RoughLevel), {AT(RoughLevel, first_texel), AT(RoughLevel, size)}}},
+         {sizeof(GlossyProbe),
+          {AT(GlossyProbe, capture_point), AT(GlossyProbe, proxy), AT(GlossyProbe, first_level)}}},
+        {"RoughLevel", {sizeof(GlossyLevel), {AT(GlossyLevel, first_texel), AT(GlossyLevel, size)}}},
         {"LobeAlbedo",
          {sizeof(LobeAlbedo), {AT(LobeAlbedo, constant), AT(LobeAlbedo, schlick), AT(LobeAlbedo, lost)}}},
         {"MeasureInverseDistancesPush",

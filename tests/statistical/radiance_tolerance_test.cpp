@@ -183,7 +183,7 @@ TEST_F(RadianceTolerance, WhatTheCapturePointCannotSeeIsTraced) {
 
 // A poster on the wall that the mirror shows: diffuse, it is looked up; with a gloss, be it weak, it is
 // traced.
-TEST_F(RadianceTolerance, RoughLobesAreTraced) {
+TEST_F(RadianceTolerance, GlossyLobesAreTraced) {
     const auto share_with = [](float specular) {
         Scene scene = even_room();
         Material poster = lambert(glm::vec3(0.8f));

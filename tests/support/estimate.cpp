@@ -50,7 +50,7 @@ Image Observer::picture(const Camera& camera, const RenderSettings& settings, st
     Film film(device_, settings.width, settings.height, "observed film");
     Progress progress;
     const FrameSettings frame{make_camera_info(camera, data_.origin, settings.width, settings.height),
-                              settings.seed, settings.specular_depth, interop::NONE};
+                              settings.seed, settings.max_depth, interop::NONE};
     counts_ = kernel_.add_samples(film, frame, samples, progress);
     EXPECT_EQ(counts_.nonfinite, 0u);
     return film.resolve();

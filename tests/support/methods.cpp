@@ -23,7 +23,7 @@ Texture checker() {
 
 std::ostream& operator<<(std::ostream& stream, const DrawnMethod& method) {
     return stream << "kind of map " << static_cast<int>(method.kind)
-                  << (method.draws_images ? " with images in plane mirrors" : "");
+                  << (method.draws_mirrored_views ? " with images in plane mirrors" : "");
 }
 
 std::vector<DrawnMethod> drawn_methods() {

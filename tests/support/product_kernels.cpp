@@ -12,14 +12,14 @@
 #include "kernels/draw_depth_vert.h"
 #include "kernels/draw_distance_reflector_frag.h"
 #include "kernels/draw_hybrid_reflector_frag.h"
-#include "kernels/draw_image_curved_frag.h"
-#include "kernels/draw_image_depth_frag.h"
-#include "kernels/draw_image_depth_vert.h"
-#include "kernels/draw_image_hybrid_frag.h"
-#include "kernels/draw_image_mirror_frag.h"
-#include "kernels/draw_image_scene_frag.h"
-#include "kernels/draw_image_surroundings_frag.h"
-#include "kernels/draw_image_traced_mirror_frag.h"
+#include "kernels/draw_mirrored_curved_frag.h"
+#include "kernels/draw_mirrored_depth_frag.h"
+#include "kernels/draw_mirrored_depth_vert.h"
+#include "kernels/draw_mirrored_hybrid_frag.h"
+#include "kernels/draw_mirrored_mirror_frag.h"
+#include "kernels/draw_mirrored_scene_frag.h"
+#include "kernels/draw_mirrored_surroundings_frag.h"
+#include "kernels/draw_mirrored_traced_mirror_frag.h"
 #include "kernels/draw_predicted_curved_vert.h"
 #include "kernels/draw_radiance_hybrid_reflector_frag.h"
 #include "kernels/draw_reflector_depth_vert.h"
@@ -62,14 +62,14 @@ std::vector<ProductKernel> product_kernels() {
             {"draw_depth_vert", kernels::draw_depth_vert},
             {"draw_distance_reflector_frag", kernels::draw_distance_reflector_frag},
             {"draw_hybrid_reflector_frag", kernels::draw_hybrid_reflector_frag},
-            {"draw_image_curved_frag", kernels::draw_image_curved_frag},
-            {"draw_image_depth_frag", kernels::draw_image_depth_frag},
-            {"draw_image_depth_vert", kernels::draw_image_depth_vert},
-            {"draw_image_hybrid_frag", kernels::draw_image_hybrid_frag},
-            {"draw_image_mirror_frag", kernels::draw_image_mirror_frag},
-            {"draw_image_scene_frag", kernels::draw_image_scene_frag},
-            {"draw_image_surroundings_frag", kernels::draw_image_surroundings_frag},
-            {"draw_image_traced_mirror_frag", kernels::draw_image_traced_mirror_frag},
+            {"draw_mirrored_curved_frag", kernels::draw_mirrored_curved_frag},
+            {"draw_mirrored_depth_frag", kernels::draw_mirrored_depth_frag},
+            {"draw_mirrored_depth_vert", kernels::draw_mirrored_depth_vert},
+            {"draw_mirrored_hybrid_frag", kernels::draw_mirrored_hybrid_frag},
+            {"draw_mirrored_mirror_frag", kernels::draw_mirrored_mirror_frag},
+            {"draw_mirrored_scene_frag", kernels::draw_mirrored_scene_frag},
+            {"draw_mirrored_surroundings_frag", kernels::draw_mirrored_surroundings_frag},
+            {"draw_mirrored_traced_mirror_frag", kernels::draw_mirrored_traced_mirror_frag},
             {"draw_predicted_curved_vert", kernels::draw_predicted_curved_vert},
             {"draw_radiance_hybrid_reflector_frag", kernels::draw_radiance_hybrid_reflector_frag},
             {"draw_reflector_depth_vert", kernels::draw_reflector_depth_vert},

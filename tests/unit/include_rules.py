@@ -139,7 +139,7 @@ FAULTS = [
     (source_problem, "renderers/scene/gpu_scene.h", '#include "renderers/film/film.h"'),
     (source_problem, "renderers/light/direct/light_cache.h", '#include "renderers/methods/renderer.h"'),
     (source_problem, "renderers/reflection/maps/map_size.h", '#include "renderers/reflection/raster/reflector_drawer.h"'),
-    (source_problem, "renderers/reflection/planar/image_drawer.h", '#include "renderers/reflection/maps/map_size.h"'),
+    (source_problem, "renderers/reflection/planar/mirrored_view_drawer.h", '#include "renderers/reflection/maps/map_size.h"'),
     (source_problem, "renderers/methods/renderer.h", '#include "import/gltf.h"'),
     (source_problem, "renderers/lost.h", '#include "base/file.h"'),
     (source_problem, "compare/measure.h", '#include "cli/options.h"'),
@@ -168,7 +168,7 @@ LEGAL = [
     (source_problem, "gpu/device.h", "#include <vulkan/vulkan_raii.hpp>"),
     (source_problem, "base/file.h", "#include <filesystem>"),
     (shader_problem, "kernels/trace/aov.comp", "layout(scalar, binding = BINDING_AOV) buffer Aov { AovPixel aov[]; };"),
-    (shader_problem, "kernels/planar/draw_image_hybrid.frag", '#include "kernels/hybrid/hybrid_light.glsl"'),
+    (shader_problem, "kernels/planar/draw_mirrored_hybrid.frag", '#include "kernels/hybrid/hybrid_light.glsl"'),
     (shader_problem, "lib/film.glsl", '#include "interop/frame.h"'),
 ]
 UPWARD = [Room("low", "", ["high"]), Room("high", "", [])]

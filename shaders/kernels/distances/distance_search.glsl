@@ -47,7 +47,7 @@ struct HitInterval {
 };
 
 /// Whether the capture point sees what the ray meets, wherever in the interval that is, or nothing is met.
-bool is_told(HitInterval interval) {
+bool is_bounded(HitInterval interval) {
     return !isinf(interval.t1) || isinf(interval.t0);
 }
 

@@ -10,7 +10,7 @@
 
 layout(local_size_x = 64) in;
 
-layout(constant_id = SPEC_TELLS_RADIANCE) const bool TELLS_RADIANCE = false;
+layout(constant_id = SPEC_MARKS_GLOSSY) const bool MARKS_GLOSSY = false;
 
 layout(push_constant, scalar) uniform Push { MeasureDistancesPush push; };
 
@@ -23,13 +23,13 @@ float distance_along(vec3 direction) {
     bool is_plane = push.plane_normal != vec3(0.0);
     if (is_plane && dot(push.plane_normal, point) <= push.plane_distance) return 0.0;
     Surface surface = make_surface(hit, direction);
-    // A mirror shows things at places of their own. A rough lobe shows its surface in its place, but not as bright.
-    return is_specular(surface) || (TELLS_RADIANCE && is_glossy(surface)) ? -hit.t : hit.t;
+    // A mirror shows things at places of their own. A glossy lobe shows its surface in its place, but not as bright.
+    return is_specular(surface) || (MARKS_GLOSSY && is_glossy(surface)) ? -hit.t : hit.t;
 }
 
 /// A direction just behind the plane of a plane mirror that holds the capture point, lifted to just before it; any other is
 /// returned as it is. Frames stand out from mirrors by so little that no other ray would meet them.
-vec3 skimming(vec3 direction) {
+vec3 lifted_to_plane(vec3 direction) {
     const float BEHIND = 3.0 / float(DISTANCE_SIZE);    // a texel's diagonal, in radians, at most
     const float BEFORE = 0.0625 / float(DISTANCE_SIZE);  // 1/32 of a texel
     float elevation = dot(push.plane_normal, direction);
@@ -41,7 +41,7 @@ float measure(vec2 place) {
     vec2 p = place * (2.0 / float(DISTANCE_SIZE)) - 1.0;
     vec3 direction = normalize(cube_vector(vec3(p, 1.0), push.face));
     float found = distance_along(direction);
-    return found == 0.0 ? distance_along(skimming(direction)) : found;
+    return found == 0.0 ? distance_along(lifted_to_plane(direction)) : found;
 }
 
 void main() {

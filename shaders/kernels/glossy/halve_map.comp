@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/bindings.h"
-#include "interop/rough_map.h"
+#include "interop/glossy_map.h"
 #include "interop/specialization.h"
 #include "lib/cube.glsl"
 #include "lib/light_distance.glsl"
@@ -24,7 +24,7 @@ layout(scalar, set = METHOD_SET, binding = BINDING_MAP_INVERSE_DISTANCES) restri
 void main() {
     uint index = gl_GlobalInvocationID.x;
     uint per_face = push.size * push.size;
-    if (index >= ROUGH_MAP_FACES * per_face) return;
+    if (index >= GLOSSY_MAP_FACES * per_face) return;
     uint face = index / per_face;
     uvec2 block = uvec2(index % push.size, index % per_face / push.size);
     uint edge = 2u * push.size;

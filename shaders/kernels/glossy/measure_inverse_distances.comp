@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far what surrounds a rough surface is from its capture point: one ray a texel of what its maps are made of.
+// How far what surrounds a glossy surface is from its capture point: one ray a texel of what its maps are made of.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "interop/rough_map.h"
+#include "interop/glossy_map.h"
 #include "lib/cube.glsl"
 #include "kernels/scene/traversal.glsl"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One level of a rough map: what the GGX lobe of one width reflects of a cube of maps to a viewer at its normal, weighted by
+// One level of a glossy map: what the GGX lobe of one width reflects of a cube of maps to a viewer at its normal, weighted by
 // the cosine (the first factor of the split sum, Karis 2013). Not sampled but summed over blocks of texels, small where the
 // lobe bends: without noise however small and bright lights are, and exact where all is uniform. Where distances are kept, so
 // is one over the distance that the light comes from.
@@ -7,7 +7,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/bindings.h"
-#include "interop/rough_map.h"
+#include "interop/glossy_map.h"
 #include "interop/specialization.h"
 #include "lib/cube.glsl"
 #include "lib/light_distance.glsl"
@@ -19,12 +19,12 @@ layout(constant_id = SPEC_KEEPS_DISTANCES) const bool KEEPS_DISTANCES = false;
 layout(push_constant, scalar) uniform Push { PrefilterMapPush push; };
 
 layout(scalar, set = METHOD_SET, binding = BINDING_MAP_TEXELS) readonly restrict buffer MapTexels { vec3 map_texels[]; };
-layout(scalar, set = METHOD_SET, binding = BINDING_ROUGH_TEXELS) writeonly restrict buffer RoughTexels { vec3 rough_texels[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_GLOSSY_TEXELS) writeonly restrict buffer GlossyTexels { vec3 glossy_texels[]; };
 layout(scalar, set = METHOD_SET, binding = BINDING_MAP_INVERSE_DISTANCES) readonly restrict buffer MapInverseDistances {
     float map_inverse_distances[];
 };
-layout(scalar, set = METHOD_SET, binding = BINDING_ROUGH_INVERSE_DISTANCES) writeonly restrict buffer RoughInverseDistances {
-    float rough_inverse_distances[];
+layout(scalar, set = METHOD_SET, binding = BINDING_GLOSSY_INVERSE_DISTANCES) writeonly restrict buffer GlossyInverseDistances {
+    float glossy_inverse_distances[];
 };
 
 /// Half the edge of a block, at most, as a share of the angle over which the lobe changes: there, 4/3 of its square is the
@@ -70,7 +70,7 @@ vec4 sum_blocks(vec3 n) {
     vec3 sum = vec3(0.0);
     LightDistance distance = LightDistance(0.0, 0.0);
     float weights = 0.0;
-    for (uint face = 0u; face < ROUGH_MAP_FACES; ++face) {
+    for (uint face = 0u; face < GLOSSY_MAP_FACES; ++face) {
         Block block = Block(top, uvec2(0u));
         bool more = true;
         while (more) {
@@ -97,12 +97,12 @@ vec4 sum_blocks(vec3 n) {
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    uint stride = push.size + 2u * ROUGH_MAP_BORDER;
-    if (index >= ROUGH_MAP_FACES * stride * stride) return;
-    vec2 texel = vec2(index % stride, index / stride % stride) - float(ROUGH_MAP_BORDER);
+    uint stride = push.size + 2u * GLOSSY_MAP_BORDER;
+    if (index >= GLOSSY_MAP_FACES * stride * stride) return;
+    vec2 texel = vec2(index % stride, index / stride % stride) - float(GLOSSY_MAP_BORDER);
     vec2 p = (texel + 0.5) * (2.0 / float(push.size)) - 1.0;
     uint face = index / (stride * stride);
     vec4 seen = sum_blocks(normalize(cube_vector(vec3(p, 1.0), face)));
-    rough_texels[push.first_texel + index] = seen.rgb;
-    if (KEEPS_DISTANCES) rough_inverse_distances[push.first_texel + index] = seen.w;
+    glossy_texels[push.first_texel + index] = seen.rgb;
+    if (KEEPS_DISTANCES) glossy_inverse_distances[push.first_texel + index] = seen.w;
 }

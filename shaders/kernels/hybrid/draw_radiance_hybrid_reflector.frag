@@ -12,7 +12,7 @@ bool look_up(Surface surface, vec3 wo, out vec3 radiance) {
     DrawnReflection reflection = drawn_reflection_of(surface, wo);
     SearchRay ray = reflection.ray;
     HitInterval interval = reflection.interval;
-    if (!is_told(interval)) return false;
+    if (!is_bounded(interval)) return false;
     radiance = polygon_map(reflection.probe, seen_along(ray, interval.guess));
     RadianceBounds truth =
         bounds_along(distance_maps[reflection.probe].first_bounds, seen_along(ray, interval.t0), seen_along(ray, interval.t1));

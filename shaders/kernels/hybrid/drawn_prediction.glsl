@@ -20,8 +20,8 @@ struct DrawnReflection {
 
 /// The angle that a pixel covers, at least: towards the picture's edges pixels are seen from farther away and slantwise.
 float pixel_angle() {
-    float cosine = dot(normalize_any_scale(drawn_from_eye), image.camera.forward);
-    return 2.0 * length(image.camera.up) * frame.pixel_size.y * cosine * cosine;
+    float cosine = dot(normalize_any_scale(drawn_from_eye), view.camera.forward);
+    return 2.0 * length(view.camera.up) * frame.pixel_size.y * cosine * cosine;
 }
 
 bool leaves_front(Surface surface) {
@@ -44,7 +44,7 @@ DrawnReflection with_hit(ProbeHit found, Surface surface, vec3 wo) {
 }
 
 /// With an interval that follows from the least distance of all that surrounds the reflector alone: no search.
-DrawnReflection outlined_reflection(Surface surface, vec3 wo) {
+DrawnReflection reflection_by_least_distance(Surface surface, vec3 wo) {
     vec3 wi = mirror_direction(surface, wo);
     uint probe = drawn_probe(surface, wi);
     SearchRay ray = make_search_ray(surface.position - probes[probe].capture_point, wi);
@@ -71,7 +71,7 @@ bool is_within_tolerance(DrawnReflection reflection) {
 /// the others.
 /// @param reflection is set to it, or to what the nearest probe tells
 bool find_within_tolerance(Surface surface, vec3 wo, out DrawnReflection reflection) {
-    reflection = outlined_reflection(surface, wo);
+    reflection = reflection_by_least_distance(surface, wo);
     if (is_within_tolerance(reflection)) return true;
     uint nearest = reflection.probe;
     vec3 wi = reflection.ray.direction;
@@ -90,7 +90,7 @@ bool find_within_tolerance(Surface surface, vec3 wo, out DrawnReflection reflect
 }
 
 /// What the method looks up and knows. Methods other than `hybrid` have a tolerance of 0, and no texel is that small.
-DrawnReflection looked_up_reflection_of(Surface surface, vec3 wo) {
+DrawnReflection lookup_of(Surface surface, vec3 wo) {
     if (MAP_KIND != MAP_KIND_DISTANCE || frame.tolerance == 0.0) return drawn_reflection_of(surface, wo);
     DrawnReflection reflection;
     find_within_tolerance(surface, wo, reflection);

@@ -4,7 +4,7 @@
 #define UTSURI_KERNELS_HYBRID_HYBRID_LIGHT
 
 #include "kernels/hybrid/traced_reflection.glsl"
-#include "lib/image_state.glsl"
+#include "lib/pixel_state.glsl"
 
 /// What the maps show, and whether that is right enough. The kernel defines it.
 bool look_up(Surface surface, vec3 wo, out vec3 radiance);
@@ -15,7 +15,7 @@ vec3 hybrid_light(Surface surface, vec3 wo, uint reflections, out float state) {
     vec3 reflected;
     uint rays = 0u;
     if (!look_up(surface, wo, reflected)) {
-        if (reflections >= frame.specular_depth) {
+        if (reflections >= frame.max_depth) {
             state = truncated_at(reflections + 1u);
             return vec3(0.0);
         }

@@ -21,7 +21,7 @@ void main() {
         drawn = vec4(-1.0);
         return;
     }
-    DrawnReflection reflection = looked_up_reflection_of(surface, wo);
+    DrawnReflection reflection = lookup_of(surface, wo);
     SearchRay ray = reflection.ray;
     vec3 looked_up = looked_up_direction_of(surface, reflection, wanted_direction_of(surface, reflection));
     Hit hit = closest_hit(make_ray(leave_surface(surface, ray.direction), ray.direction, surface.triangle, NONE));

@@ -13,7 +13,7 @@ void main() {
         drawn = vec4(-1.0);
         return;
     }
-    DrawnReflection reflection = looked_up_reflection_of(surface, wo);
+    DrawnReflection reflection = lookup_of(surface, wo);
     vec3 wanted = wanted_direction_of(surface, reflection);
     vec3 looked_up = looked_up_direction_of(surface, reflection, wanted);
     Prediction prediction = predict(reflection.ray, reflection.interval, reflection.footprint, wanted, looked_up,

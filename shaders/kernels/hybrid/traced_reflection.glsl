@@ -7,7 +7,7 @@
 #include "kernels/raster/view.glsl"
 #include "kernels/trace/map_surface_light.glsl"
 
-/// @param reflections that lie between the surface and the eye, less than frame.specular_depth
+/// @param reflections that lie between the surface and the eye, less than frame.max_depth
 /// @param rays is set to how many it took
 vec3 traced_radiance(Surface seen, vec3 wo, uint reflections, out uint rays) {
     // A ray leaves the surface from where rays would hit it.
@@ -16,7 +16,7 @@ vec3 traced_radiance(Surface seen, vec3 wo, uint reflections, out uint rays) {
     Counters totals = Counters(0u, 0u, 0u, 0u, 0u, 0u);
     uint key = sampler_key(uvec2(gl_FragCoord.xy), frame.seed, frame.sample_index & 1u);
     Ray ray = make_ray(leave_surface(surface, wi), wi, surface.triangle, NONE);
-    vec3 radiance = follow_chain(ray, reflections + 1u, frame.specular_depth, key, frame.sample_index >> 1, totals);
+    vec3 radiance = follow_chain(ray, reflections + 1u, frame.max_depth, key, frame.sample_index >> 1, totals);
     rays = totals.rays;
     return radiance;
 }

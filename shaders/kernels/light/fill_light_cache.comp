@@ -50,7 +50,7 @@ Surface white_surface(uint triangle, vec2 b, bool front) {
 
 /// Shadow rays after which a point in no shadow so far counts as lit for good. Points in full shadow get all: a little
 /// light missed there shows, a little shadow missed in full light does not.
-const uint FIRST_LOOK = 16u;
+const uint PROBING_RAYS = 16u;
 
 /// What a white surface sends out. Where the lights can be summed in closed form, samples only tell what share of that
 /// is not in shadow (Heitz, Hill and McGuire 2018): no noise where nothing or all is in shadow.
@@ -71,7 +71,7 @@ vec3 simulate_light(Surface surface, uint side) {
     uint s = 0u;
     uint samples = push.samples;
     for (; s < samples; ++s) {
-        if (SUMS_LIGHTS && s == FIRST_LOOK && lit == rays) {
+        if (SUMS_LIGHTS && s == PROBING_RAYS && lit == rays) {
             samples = s;
             break;
         }
@@ -92,7 +92,7 @@ vec3 simulate_light(Surface surface, uint side) {
 bool is_reached(vec3 position) {
     for (uint l = 0u; l < push.light_bounds; ++l) {
         for (uint c = 0u; c < push.changed_boxes; ++c) {
-            if (lies_on_way_to_light(changed_boxes[c], position, light_bounds[l])) return true;
+            if (may_block_light(changed_boxes[c], position, light_bounds[l])) return true;
         }
     }
     return false;

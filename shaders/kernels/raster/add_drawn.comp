@@ -6,7 +6,7 @@
 #include "interop/bindings.h"
 #include "interop/raster.h"
 #include "lib/film.glsl"
-#include "lib/image_state.glsl"
+#include "lib/pixel_state.glsl"
 #include "lib/numeric.glsl"
 
 layout(local_size_x = 64) in;

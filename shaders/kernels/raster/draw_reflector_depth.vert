@@ -8,5 +8,5 @@
 
 void main() {
     ReflectorTriangle polygon = drawn_polygon();
-    gl_Position = project(reflector_vertices[polygon.vertices[uint(gl_VertexIndex) % 3u]].position - image.camera.origin);
+    gl_Position = project(reflector_vertices[polygon.vertices[uint(gl_VertexIndex) % 3u]].position - view.camera.origin);
 }

@@ -11,7 +11,7 @@
 void main() {
     uint corner = uint(gl_VertexIndex) % 3u;
     set_drawn_triangle(listed_triangle(), vec2(corner == 1u, corner == 2u));
-    drawn_from_eye = listed_corner() - image.camera.origin;
+    drawn_from_eye = listed_corner() - view.camera.origin;
     // Not normalised, as for mirrors: see reflect_vertices.comp.
     if (HAS_GLOSSY && MAP_KIND == MAP_KIND_POLYGON) {
         drawn_reflection = reflect(drawn_from_eye, normalize_any_scale(drawn_normal));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface that a fragment shows and the light it sends out, its mirror image excepted: diffuse light from the cache,
-// what rough lobes reflect from maps, lights without extent excepted, which no map shows.
+// The surface that a fragment shows and the light it sends out, its mirror view excepted: diffuse light from the cache,
+// what glossy lobes reflect from maps, lights without extent excepted, which no map shows.
 #ifndef UTSURI_KERNELS_RASTER_DRAWN_LIGHT
 #define UTSURI_KERNELS_RASTER_DRAWN_LIGHT
 
-#include "kernels/glossy/rough_lookup.glsl"
+#include "kernels/glossy/glossy_lookup.glsl"
 #include "kernels/light/kept_light.glsl"
 #include "kernels/light/lobe_albedo.glsl"
 #include "kernels/raster/drawn_surface.glsl"
@@ -30,7 +30,7 @@ MaterialInfo drawn_material() {
 /// The surface drawn, without what only rays that leave it need.
 Surface drawn_surface() {
     Surface surface;
-    surface.position = image.camera.origin + drawn_from_eye;
+    surface.position = view.camera.origin + drawn_from_eye;
     surface.error_bound = vec3(0.0);
     surface.triangle = drawn_ids.x;
     surface.material = drawn_ids.y;
@@ -45,7 +45,7 @@ vec3 drawn_diffuse_light(Surface surface) {
     return kept_light(drawn_light_record, drawn_place.xy, surface.front);
 }
 
-/// The rough lobe's highlights of lights without extent. One is taken by what it would bring, so that noise is only where
+/// The glossy lobe's highlights of lights without extent. One is taken by what it would bring, so that noise is only where
 /// some are in shadow and others not.
 vec3 punctual_highlights(Surface surface, vec3 wo) {
     uint key = sampler_key(uvec2(gl_FragCoord.xy), frame.seed, frame.sample_index & 1u);
@@ -81,7 +81,7 @@ vec3 drawn_glossy_light(Surface surface, vec3 wo) {
     LobeAlbedo albedo = lobe_albedo(surface, dot(surface.ns, wo));
     vec3 normal = specular_reflectance(surface, 1.0);
     vec3 grazing = specular_reflectance(surface, 0.0);
-    vec3 radiance = (normal * albedo.constant + grazing * albedo.schlick) * rough_radiance(surface, wo, drawn_reflection);
+    vec3 radiance = (normal * albedo.constant + grazing * albedo.schlick) * glossy_radiance(surface, wo, drawn_reflection);
     if (surface.metallic < 1.0) radiance += diffuse_under_lobe(surface, albedo) * drawn_diffuse_light(surface);
     if (HAS_PUNCTUAL_LIGHTS) radiance += punctual_highlights(surface, wo);
     return radiance;

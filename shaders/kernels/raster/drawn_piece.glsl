@@ -12,7 +12,7 @@ void set_drawn_piece(ReflectorTriangle polygon, uint face, PieceCorner corner) {
     set_drawn_triangle(polygon.triangle, corner.place);
     drawn_ids.w = polygon_probe(polygon) * FACE_COUNT + face;
     drawn_reflection = map_position(map_faces[face], corner.reflection);
-    drawn_from_eye = corner.position - image.camera.origin;
+    drawn_from_eye = corner.position - view.camera.origin;
     gl_Position = project(drawn_from_eye);
 }
 

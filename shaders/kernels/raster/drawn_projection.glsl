@@ -10,9 +10,9 @@ invariant gl_Position;
 
 /// Perspective with the far plane at infinity and depth reversed, so that float32 depth is as fine far as near.
 vec4 project(vec3 from_eye) {
-    vec3 right = image.camera.right / dot(image.camera.right, image.camera.right);
-    vec3 up = image.camera.up / dot(image.camera.up, image.camera.up);
-    float w = dot(from_eye, image.camera.forward);
+    vec3 right = view.camera.right / dot(view.camera.right, view.camera.right);
+    vec3 up = view.camera.up / dot(view.camera.up, view.camera.up);
+    float w = dot(from_eye, view.camera.forward);
     // The sample's place moves to the pixel's centre, where the rasteriser samples.
     vec2 shift = (0.5 - frame.jitter) * 2.0 * frame.pixel_size;
     return vec4(dot(from_eye, right) + shift.x * w, -dot(from_eye, up) + shift.y * w, frame.near_plane, w);

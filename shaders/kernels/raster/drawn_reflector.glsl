@@ -17,7 +17,7 @@ void set_drawn_reflector() {
     drawn_ids.w = found_per_vertex ? polygon_probe(polygon) : polygon.reflector;
     VertexReflection found = vertex_reflections[vertex];
     drawn_reflection = MAP_KIND == MAP_KIND_SPHERE ? vec3(found.sphere_map, 0.0) : found.direction;
-    drawn_from_eye = reflector_vertices[vertex].position - image.camera.origin;
+    drawn_from_eye = reflector_vertices[vertex].position - view.camera.origin;
     gl_Position = project(drawn_from_eye);
 }
 

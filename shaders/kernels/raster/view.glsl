@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is drawn: a view of the scene, the eye's or that of an eye mirrored in plane mirrors. What is the same for all draws
-// of a frame is a uniform block; what changes from image to image is pushed.
+// of a frame is a uniform block; what changes from view to view is pushed.
 #ifndef UTSURI_KERNELS_RASTER_VIEW
 #define UTSURI_KERNELS_RASTER_VIEW
 
@@ -11,6 +11,6 @@
 
 layout(scalar, set = METHOD_SET, binding = BINDING_FRAME) uniform Frame { FrameInfo frame; };
 
-layout(push_constant, scalar) uniform Push { ImagePush image; };
+layout(push_constant, scalar) uniform Push { ViewPush view; };
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Direct light at a surface by one light sample with a shadow ray. At a rough lobe the light that has an extent is also
+// Direct light at a surface by one light sample with a shadow ray. At a glossy lobe the light that has an extent is also
 // met by rays of the lobe; the two share the work by the balance heuristic (Veach and Guibas 1995).
 #ifndef UTSURI_KERNELS_SCENE_DIRECT_LIGHT
 #define UTSURI_KERNELS_SCENE_DIRECT_LIGHT
@@ -73,7 +73,7 @@ Candidate resample_lights(Surface surface, vec3 wo, uint lobes, vec2 choice, vec
     return taken;
 }
 
-/// Radiance towards wo from light that reaches the surface without being reflected on its way; of what a rough lobe
+/// Radiance towards wo from light that reaches the surface without being reflected on its way; of what a glossy lobe
 /// reflects, the light sample's share.
 /// @param lobes as make_candidate() has them
 vec3 direct_light(Surface surface, vec3 wo, uint lobes, uint key, uint index, uint dimension, uint excluded_instance,

@@ -58,7 +58,7 @@ void shade_surface(inout Surface surface, vec3 ng, vec3 ns, MaterialInfo materia
     surface.ng = front ? ng : -ng;
     surface.ns = front ? ns : -ns;
     evaluate_material(surface, material);
-    // A rough lobe is defined for viewers above the shading normal's horizon; a mirror copes (mirror_direction()).
+    // A glossy lobe is defined for viewers above the shading normal's horizon; a mirror copes (mirror_direction()).
     if (surface.alpha > 0.0 && dot(surface.ns, direction) >= 0.0) surface.ns = surface.ng;
 }
 

@@ -7,7 +7,7 @@
 #include "kernels/trace/specular_chain.glsl"
 
 vec3 sample_radiance(vec3 origin, vec3 direction, uint key, uint index, inout Counters totals) {
-    return follow_chain(make_ray(origin, direction, NONE, push.excluded_instance), 0u, push.specular_depth, key, index, totals);
+    return follow_chain(make_ray(origin, direction, NONE, push.excluded_instance), 0u, push.max_depth, key, index, totals);
 }
 
 #endif

@@ -12,8 +12,8 @@ vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint
                    inout uint rays);
 
 /// @param first_depth reflections that the ray already has behind it
-/// @param most_depth reflections after which a chain is cut
-vec3 follow_chain(Ray ray, uint first_depth, uint most_depth, uint key, uint index, inout Counters totals) {
+/// @param max_depth reflections after which a chain is cut
+vec3 follow_chain(Ray ray, uint first_depth, uint max_depth, uint key, uint index, inout Counters totals) {
     vec3 radiance = vec3(0.0);
     vec3 throughput = vec3(1.0);
     bool by_lobe = false;
@@ -29,8 +29,8 @@ vec3 follow_chain(Ray ray, uint first_depth, uint most_depth, uint key, uint ind
         }
         Surface surface = make_surface(hit, ray.direction);
         radiance += weight * throughput * surface.emission;
-        // A rough lobe cut at the bound still meets the lights: they are direct.
-        if (HAS_GLOSSY && depth > most_depth) break;
+        // A glossy lobe cut at the bound still meets the lights: they are direct.
+        if (HAS_GLOSSY && depth > max_depth) break;
         vec3 wo = -ray.direction;
         uint dimension = FIRST_SURFACE_DIMENSION + depth * DIMENSIONS_PER_SURFACE;
         radiance += throughput * surface_light(surface, hit, wo, key, index, dimension, ray.excluded_instance, totals.rays);
@@ -41,7 +41,7 @@ vec3 follow_chain(Ray ray, uint first_depth, uint most_depth, uint key, uint ind
         if (by_lobe && throughput == vec3(0.0)) break;
         left = receiver_of(surface);
         totals.lookups += 1u;
-        if (depth == most_depth) {
+        if (depth == max_depth) {
             totals.truncated += 1u;
             if (!by_lobe) break;
         } else {

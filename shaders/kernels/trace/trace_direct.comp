@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// direct/trace: direct light with shadows, mirrors and rough lobes followed to a depth.
+// direct/trace: direct light with shadows, mirrors and glossy lobes followed to a depth.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/trace/camera_chain.glsl"

@@ -19,9 +19,9 @@ namespace {
 constexpr std::uint32_t kQueriesPerInvocation = 512;
 
 /// Samples that keep within kQueriesPerInvocation: for each surface of a specular chain there is a ray to
-/// find it and a shadow ray; beyond the last one a ray of its rough lobe.
-std::uint32_t most_samples_per_dispatch(std::uint32_t specular_depth) {
-    const std::uint64_t queries = 2 * (std::uint64_t{specular_depth} + 1) + 1;
+/// find it and a shadow ray; beyond the last one a ray of its glossy lobe.
+std::uint32_t most_samples_per_dispatch(std::uint32_t max_depth) {
+    const std::uint64_t queries = 2 * (std::uint64_t{max_depth} + 1) + 1;
     return static_cast<std::uint32_t>(std::max<std::uint64_t>(1, kQueriesPerInvocation / queries));
 }
 
@@ -69,7 +69,7 @@ FrameCounts FilmKernel::add_samples(Film& film, const FrameSettings& settings, s
     push.width = film.width();
     push.height = film.height();
     push.seed = settings.seed;
-    push.specular_depth = settings.specular_depth;
+    push.max_depth = settings.max_depth;
     push.excluded_instance = settings.excluded_instance;
     std::vector<BindingSet> sets;
     for (const Film::Band& band : film.bands()) {
@@ -83,7 +83,7 @@ FrameCounts FilmKernel::add_samples(Film& film, const FrameSettings& settings, s
         // Small pictures take several samples in a dispatch; in large ones a dispatch is a part of one
         // sample.
         const std::uint64_t fitting = std::clamp<std::uint64_t>(
-            budget_.next_units() / tiles, 1, most_samples_per_dispatch(settings.specular_depth));
+            budget_.next_units() / tiles, 1, most_samples_per_dispatch(settings.max_depth));
         const auto now = static_cast<std::uint32_t>(std::min<std::uint64_t>(count - done, fitting));
         push.sample_begin = film.samples();
         push.sample_end = film.samples() + now;

@@ -18,7 +18,7 @@ namespace utsuri {
 struct FrameSettings {
     interop::CameraInfo camera;
     std::uint32_t seed = 0;
-    std::uint32_t specular_depth = 8;
+    std::uint32_t max_depth = 8;
     std::uint32_t excluded_instance = interop::NONE;
 };
 

@@ -10,7 +10,7 @@ struct RenderSettings {
     std::uint32_t width = 512;
     std::uint32_t height = 384;
     std::uint32_t seed = 0;
-    std::uint32_t specular_depth = 8;  ///< most specular reflections followed
+    std::uint32_t max_depth = 8;  ///< most specular reflections followed
     /// Traced pictures take the light of diffuse surfaces from where it is kept, as drawn ones always do:
     /// what they differ by is then due to reflections alone.
     bool kept_light = false;

@@ -9,7 +9,7 @@ namespace utsuri {
 namespace {
 
 template <typename Errors>
-std::vector<Errors> no_mirrors(const RenderSettings& settings) {
+std::vector<Errors> no_reflection_errors(const RenderSettings& settings) {
     return std::vector<Errors>(std::size_t{settings.width} * settings.height,
                                Errors{-1.0f, -1.0f, -1.0f, -1.0f});
 }
@@ -75,18 +75,18 @@ PredictionDrawer& MappedView::prediction_drawer() {
 
 float MappedView::searching_tolerance() const {
     const Tolerance& tolerance = map_settings_.tolerance;
-    const bool judges_outline = kind_ == MapKind::hybrid && tolerance.of == Tolerance::Of::place;
-    return judges_outline ? static_cast<float>(tolerance.most) : 0.0f;
+    const bool skips_search = kind_ == MapKind::hybrid && tolerance.of == Tolerance::Of::place;
+    return skips_search ? static_cast<float>(tolerance.most) : 0.0f;
 }
 
 std::vector<PredictedError> MappedView::predict_errors() {
-    if (!reflectors_) return no_mirrors<PredictedError>(settings_);
+    if (!reflectors_) return no_reflection_errors<PredictedError>(settings_);
     return prediction_drawer().predict(
         make_camera_info(camera_, data_.origin, settings_.width, settings_.height), searching_tolerance());
 }
 
 std::vector<MeasuredError> MappedView::measure_errors() {
-    if (!reflectors_) return no_mirrors<MeasuredError>(settings_);
+    if (!reflectors_) return no_reflection_errors<MeasuredError>(settings_);
     return prediction_drawer().measure(
         make_camera_info(camera_, data_.origin, settings_.width, settings_.height), searching_tolerance());
 }

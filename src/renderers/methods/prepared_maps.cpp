@@ -40,11 +40,11 @@ std::optional<RadianceBounds> make_radiance_bounds(Device& device, const Reflect
 
 }  // namespace
 
-RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps) {
+GlossyMapSettings glossy_map_settings(MapKind kind, const MapSettings& maps) {
     // Of lobes only the sharpest would see finer maps than that.
     const std::uint32_t size = maps.fitted ? std::min(maps.size, MapSettings().size) : maps.size;
     // By distances, lobes are closer from one point that sees what they reflect than blended with others that
-    // may not: rough_probes_test.cpp.
+    // may not: glossy_probes_test.cpp.
     const std::uint32_t most_probes = keeps_distances(kind) ? 1 : maps.most_probes;
     return {size, maps.samples, maps.capture_point, most_probes, kind, maps.proxy};
 }
@@ -52,7 +52,7 @@ RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps) {
 PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, SurfaceLight& light,
                            const Camera& eye, MapKind kind, const RenderSettings& settings,
                            const MapSettings& map_settings, const std::vector<std::uint32_t>& instances,
-                           PreparedMaps* former)
+                           PreparedMaps* previous)
     : data_(data),
       scene_(scene),
       light_(light),
@@ -62,21 +62,22 @@ PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene
             instances),
       distances_(make_distances(device, data, maps_, kind, map_settings)),
       radiance_bounds_(make_radiance_bounds(device, maps_, kind, map_settings)),
-      rough_maps_(device, data, rough_map_settings(kind, map_settings), proxy_planes_),
+      glossy_maps_(device, data, glossy_map_settings(kind, map_settings), proxy_planes_),
       proxy_plane_buffer_(make_buffer<interop::ProxyPlane>(device, proxy_planes_, "planes of proxies")),
       frame_(device, sizeof(interop::FrameInfo), "frame"),
       capture_(device, scene, light, maps_, settings, map_settings) {
-    if (former == nullptr) return;
-    maps_.take_over(former->maps_);
-    if (distances_ && former->distances_) distances_->take_over(*former->distances_);
-    if (radiance_bounds_ && former->radiance_bounds_) radiance_bounds_->take_over(*former->radiance_bounds_);
+    if (previous == nullptr) return;
+    maps_.reuse_from(previous->maps_);
+    if (distances_ && previous->distances_) distances_->reuse_from(*previous->distances_);
+    if (radiance_bounds_ && previous->radiance_bounds_)
+        radiance_bounds_->reuse_from(*previous->radiance_bounds_);
 }
 
 void PreparedMaps::update(const SceneChange& change, const Camera& eye, RenderStatistics& statistics,
                           Progress& progress) {
-    const bool is_lit_otherwise = change.geometry || change.lights;
+    const bool light_may_have_changed = change.geometry || change.lights;
     const SeenChanges changes(data_, change,
-                              is_lit_otherwise ? light_.changed() : std::vector<std::uint32_t>());
+                              light_may_have_changed ? light_.changed() : std::vector<std::uint32_t>());
     maps_.forget(changes);
     if (distances_) distances_->forget(changes);
     if (radiance_bounds_) radiance_bounds_->forget(changes);
@@ -87,7 +88,7 @@ void PreparedMaps::prepare(const Camera& eye, RenderStatistics& statistics, Prog
     FrameCounts& counts = statistics.prepare_counts;
     const auto start = std::chrono::steady_clock::now();
     double compile_seconds = 0.0;
-    accumulate(counts, rough_maps_.capture(scene_, light_, settings_, compile_seconds, progress));
+    accumulate(counts, glossy_maps_.capture(scene_, light_, settings_, compile_seconds, progress));
     if (distances_) accumulate(counts, distances_->capture(scene_, compile_seconds, progress));
     if (radiance_bounds_)
         accumulate(counts, radiance_bounds_->capture(scene_, light_, compile_seconds, progress));
@@ -101,7 +102,7 @@ Bindings PreparedMaps::bindings() const {
     Bindings bindings = scene_.bindings();
     bindings.merge(light_.bindings());
     bindings.merge(maps_.bindings());
-    bindings.merge(rough_maps_.bindings());
+    bindings.merge(glossy_maps_.bindings());
     bindings[interop::BINDING_PROXY_PLANES] = &proxy_plane_buffer_;
     bindings[interop::BINDING_FRAME] = &frame_;
     if (distances_) bindings.merge(distances_->bindings());
@@ -113,7 +114,7 @@ Specialization PreparedMaps::specialization() const {
     Specialization specialization = maps_.specialise(scene_.specialization());
     specialization[interop::SPEC_HAS_PROXY_PLANES] = proxy_planes_.empty() ? 0 : 1;
     specialization[interop::SPEC_MAP_KIND] = whole_map_kind(kind_);
-    specialization[interop::SPEC_MOST_ROUGH_PROBES] = rough_maps_.plan().most_probes();
+    specialization[interop::SPEC_MOST_GLOSSY_PROBES] = glossy_maps_.plan().most_probes();
     if (distances_) specialization[interop::SPEC_DISTANCE_SIZE] = distances_->size();
     return specialization;
 }

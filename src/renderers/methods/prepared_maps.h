@@ -6,7 +6,7 @@
 #include "renderers/light/surface_light.h"
 #include "renderers/reflection/distances/distance_maps.h"
 #include "renderers/reflection/distances/radiance_bounds.h"
-#include "renderers/reflection/glossy/rough_maps.h"
+#include "renderers/reflection/glossy/glossy_maps.h"
 #include "renderers/reflection/maps/map_capture.h"
 #include "renderers/reflection/maps/reflection_maps.h"
 
@@ -15,8 +15,8 @@
 
 namespace utsuri {
 
-/// What rough lobes reflect beside maps of a kind.
-RoughMapSettings rough_map_settings(MapKind kind, const MapSettings& maps);
+/// What glossy lobes reflect beside maps of a kind.
+GlossyMapSettings glossy_map_settings(MapKind kind, const MapSettings& maps);
 
 /// Reflection maps of one kind and all that drawing looks up beside them: light on surfaces, maps of rough
 /// lobes, and where the kind needs them distances and bounds of radiance.
@@ -26,12 +26,12 @@ class PreparedMaps {
     /// @param light is filled before prepare()
     /// @param eye the first one
     /// @param instances that get reflection maps, ascending
-    /// @param former of the scene before it changed: what they are and update() need not make anew is taken
+    /// @param previous of the scene before it changed: what they are and update() need not make anew is taken
     /// over from them
     PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, SurfaceLight& light,
                  const Camera& eye, MapKind kind, const RenderSettings& settings,
                  const MapSettings& map_settings, const std::vector<std::uint32_t>& instances,
-                 PreparedMaps* former = nullptr);
+                 PreparedMaps* previous = nullptr);
     PreparedMaps(const PreparedMaps&) = delete;
     PreparedMaps& operator=(const PreparedMaps&) = delete;
 
@@ -39,7 +39,7 @@ class PreparedMaps {
     /// has looked them up. Adds what that took to the statistics.
     /// @throws Interrupted if progress says so
     void prepare(const Camera& eye, RenderStatistics& statistics, Progress& progress);
-    /// The same after a change of the scene that these were made with `former` maps for, and the light has
+    /// The same after a change of the scene that these were made with `previous` maps for, and the light has
     /// taken over: what sees nothing of the change is kept.
     void update(const SceneChange& change, const Camera& eye, RenderStatistics& statistics,
                 Progress& progress);
@@ -53,7 +53,7 @@ class PreparedMaps {
     [[nodiscard]] Specialization specialization() const;
 
     [[nodiscard]] const ReflectionMaps& maps() const { return maps_; }
-    [[nodiscard]] const RoughMaps& rough_maps() const { return rough_maps_; }
+    [[nodiscard]] const GlossyMaps& glossy_maps() const { return glossy_maps_; }
     [[nodiscard]] bool has_distances() const { return distances_.has_value(); }
 
   private:
@@ -66,7 +66,7 @@ class PreparedMaps {
     ReflectionMaps maps_;
     std::optional<DistanceMaps> distances_;
     std::optional<RadianceBounds> radiance_bounds_;
-    RoughMaps rough_maps_;
+    GlossyMaps glossy_maps_;
     Buffer proxy_plane_buffer_;
     Buffer frame_;  ///< interop::FrameInfo, written by what draws
     MapCapture capture_;

@@ -2,7 +2,7 @@
 #include "renderers/methods/raster_renderer.h"
 
 #include "renderers/methods/mapped_view.h"
-#include "renderers/methods/mirrored_view.h"
+#include "renderers/methods/planar_view.h"
 #include "renderers/reflection/raster/picture_pixels.h"
 
 #include "interop/bindings.h"
@@ -22,7 +22,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 RasterRenderer::RasterRenderer(const RendererInput& input, const RasterMethod& method,
                                const RenderSettings& settings, const MapSettings& map_settings)
-    : device_(drawing_device(input.device)),
+    : device_(require_graphics(input.device)),
       data_(input.data),
       scene_(input.scene),
       light_(input.kept_light.get()),
@@ -33,18 +33,18 @@ RasterRenderer::RasterRenderer(const RendererInput& input, const RasterMethod& m
     make_view(nullptr);
 }
 
-void RasterRenderer::make_view(PreparedMaps* former) {
+void RasterRenderer::make_view(PreparedMaps* previous) {
     PlaneMirrors mirrors;
     std::vector<std::uint32_t> instances = data_.requirements.reflective_instances;
-    if (method_.draws_images) {
+    if (method_.draws_mirrored_views) {
         mirrors = find_plane_mirrors(data_);
         instances = curved_instances(data_, mirrors);
     }
     maps_ = std::make_unique<PreparedMaps>(device_, data_, scene_, light_, camera_, method_.kind, settings_,
-                                           map_settings_, instances, former);
-    if (method_.draws_images) {
-        view_ = std::make_unique<MirroredView>(device_, data_, *maps_, std::move(mirrors), method_.kind,
-                                               settings_, map_settings_);
+                                           map_settings_, instances, previous);
+    if (method_.draws_mirrored_views) {
+        view_ = std::make_unique<PlanarView>(device_, data_, *maps_, std::move(mirrors), method_.kind,
+                                             settings_, map_settings_);
     } else {
         view_ = std::make_unique<MappedView>(device_, data_, *maps_, method_.kind, settings_, map_settings_);
     }
@@ -77,8 +77,8 @@ void RasterRenderer::update(const SceneChange& change, Progress& progress) {
     // What draws reads buffers of the maps.
     samples_.reset();
     view_.reset();
-    const std::unique_ptr<PreparedMaps> former = std::move(maps_);
-    make_view(former.get());
+    const std::unique_ptr<PreparedMaps> previous = std::move(maps_);
+    make_view(previous.get());
     warm_up();
     maps_->update(change, camera_, statistics_, progress);
     capture_first_view(progress);
@@ -109,7 +109,7 @@ void RasterRenderer::set_camera(const Camera& camera) {
 interop::FrameInfo RasterRenderer::frame_settings() const {
     interop::FrameInfo frame = frame_info(data_, settings_.width, settings_.height);
     frame.seed = settings_.seed;
-    frame.specular_depth = std::min(settings_.specular_depth, scene_.specular_depth());
+    frame.max_depth = std::min(settings_.max_depth, scene_.max_depth());
     frame.tolerance = static_cast<float>(map_settings_.tolerance.most);
     return frame;
 }
@@ -159,18 +159,18 @@ FrameCounts RasterRenderer::render(Film& film, std::uint32_t count, Progress& pr
 }
 
 bool RasterRenderer::tells_errors() const {
-    return !method_.draws_images || method_.kind == MapKind::hybrid;
+    return !method_.draws_mirrored_views || method_.kind == MapKind::hybrid;
 }
 
 std::vector<PredictedError> RasterRenderer::predict_errors() {
     if (!tells_errors()) return {};
-    if (method_.draws_images) draw_frame();
+    if (method_.draws_mirrored_views) draw_frame();
     return view_->predict_errors();
 }
 
 std::vector<MeasuredError> RasterRenderer::measure_errors() {
     if (!tells_errors()) return {};
-    if (method_.draws_images) draw_frame();
+    if (method_.draws_mirrored_views) draw_frame();
     return view_->measure_errors();
 }
 

@@ -16,8 +16,9 @@ namespace utsuri {
 
 /// How RasterRenderer shows mirrors.
 struct RasterMethod {
-    MapKind kind;               ///< of the maps that mirrors look up
-    bool draws_images = false;  ///< plane mirrors are drawn from mirrored eyes: MirroredView; else MappedView
+    MapKind kind;  ///< of the maps that mirrors look up
+    bool draws_mirrored_views =
+        false;  ///< plane mirrors are drawn from mirrored eyes: PlanarView; else MappedView
 };
 
 /// Draws a scene by the raster pipeline, lit from the light kept on its surfaces, with what mirrors reflect
@@ -47,8 +48,8 @@ class RasterRenderer : public Renderer {
     FrameCounts render(Film& film, std::uint32_t count, Progress& progress) override;
 
   private:
-    /// @param former see PreparedMaps
-    void make_view(PreparedMaps* former);
+    /// @param previous see PreparedMaps
+    void make_view(PreparedMaps* previous);
     void warm_up();
     /// Captures the reflection maps that the present view looks up.
     void capture_first_view(Progress& progress);

@@ -21,8 +21,7 @@ RayTracer::RayTracer(const RendererInput& input, const RenderSettings& settings)
       lobe_albedos_(kept_light_ == nullptr ? std::nullopt
                                            : std::optional(make_buffer<interop::LobeAlbedo>(
                                                  device_, make_lobe_albedo_table(), "albedos of lobes"))),
-      frame_{
-          {}, settings.seed, std::min(settings.specular_depth, input.scene.specular_depth()), interop::NONE},
+      frame_{{}, settings.seed, std::min(settings.max_depth, input.scene.max_depth()), interop::NONE},
       kernel_(make_kernel()) {
     set_camera(input.camera);
 }

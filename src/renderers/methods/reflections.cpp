@@ -22,7 +22,7 @@ std::unique_ptr<Renderer> make_mapped(const RendererInput& input, const RenderSe
 }
 
 template <MapKind kind>
-std::unique_ptr<Renderer> make_imaged(const RendererInput& input, const RenderSettings& settings,
+std::unique_ptr<Renderer> make_planar(const RendererInput& input, const RenderSettings& settings,
                                       const MapSettings& maps) {
     return std::make_unique<RasterRenderer>(input, RasterMethod{kind, true}, settings, maps);
 }
@@ -31,17 +31,17 @@ std::unique_ptr<Renderer> make_imaged(const RendererInput& input, const RenderSe
 /// surfaces in them are looked up.
 std::unique_ptr<Renderer> make_hybrid(const RendererInput& input, const RenderSettings& settings,
                                       const MapSettings& maps) {
-    const bool draws_images =
+    const bool draws_mirrored_views =
         maps.tolerance.of == Tolerance::Of::place && !find_plane_mirrors(input.data).mirrors.empty();
-    return draws_images ? make_imaged<MapKind::hybrid>(input, settings, maps)
-                        : make_mapped<MapKind::hybrid>(input, settings, maps);
+    return draws_mirrored_views ? make_planar<MapKind::hybrid>(input, settings, maps)
+                                : make_mapped<MapKind::hybrid>(input, settings, maps);
 }
 
 constexpr ReflectionTraits kTraced{.looks_up_maps = false, .takes_probes = false, .predicts_errors = false};
 constexpr ReflectionTraits kPerPixel{};
 constexpr ReflectionTraits kPerPolygon{.is_per_polygon = true};
 constexpr ReflectionTraits kInEyeSpace{.takes_probes = false, .has_polyhedron = false};
-constexpr ReflectionTraits kImaged{.takes_probes = false, .predicts_errors = false};
+constexpr ReflectionTraits kPlanar{.takes_probes = false, .predicts_errors = false};
 constexpr ReflectionTraits kHybrid{.has_tolerance = true};
 
 }  // namespace
@@ -57,8 +57,8 @@ std::span<const ReflectionMethod> reflection_methods() {
                          make_mapped<MapKind::proxy>},
         ReflectionMethod{"distance-map", "the same, corrected by distances", kPerPixel,
                          make_mapped<MapKind::distance>},
-        ReflectionMethod{"planar", "plane mirrors drawn, the rest as by proxy-map", kImaged,
-                         make_imaged<MapKind::proxy>},
+        ReflectionMethod{"planar", "plane mirrors drawn, the rest as by proxy-map", kPlanar,
+                         make_planar<MapKind::proxy>},
         ReflectionMethod{"hybrid", "the cheapest that is right enough, else rays", kHybrid, make_hybrid}};
     return kReflections;
 }

@@ -36,7 +36,7 @@ Specialization specialise(const SceneData& data) {
 
 GpuScene::GpuScene(Device& device, const SceneData& data)
     : specialization_(specialise(data)),
-      specular_depth_(data.requirements.specular_depth),
+      max_depth_(data.requirements.max_depth),
       light_revision_(data.light_revision),
       nodes_(upload(device, data.bvh.nodes, "BVH nodes")),
       triangles_(upload(device, data.bvh.triangles, "BVH triangles")),
@@ -51,7 +51,7 @@ GpuScene::GpuScene(Device& device, const SceneData& data)
 
 void GpuScene::update(const SceneData& data) {
     UTSURI_CHECK(specialise(data) == specialization_);
-    specular_depth_ = data.requirements.specular_depth;
+    max_depth_ = data.requirements.max_depth;
     light_revision_ = data.light_revision;
     replace(nodes_, data.bvh.nodes);
     replace(triangles_, data.bvh.triangles);

@@ -27,13 +27,13 @@ class GpuScene {
     [[nodiscard]] Bindings bindings() const;
     /// Values of the constants that follow from the scene.
     [[nodiscard]] const Specialization& specialization() const { return specialization_; }
-    /// Most specular reflections that a ray can meet: Requirements::specular_depth. What a kernel need not
+    /// Most specular reflections that a ray can meet: Requirements::max_depth. What a kernel need not
     /// follow leaves room for more samples in a dispatch.
-    [[nodiscard]] std::uint32_t specular_depth() const { return specular_depth_; }
+    [[nodiscard]] std::uint32_t max_depth() const { return max_depth_; }
 
   private:
     Specialization specialization_;
-    std::uint32_t specular_depth_;
+    std::uint32_t max_depth_;
     std::uint32_t light_revision_;
     Buffer nodes_;
     Buffer triangles_;

@@ -49,7 +49,7 @@ std::string differing_requirement(const SceneData& before, const SceneData& afte
     if (!same(after.texture_headers, before.texture_headers)) return "its textures have other sizes";
     if (b.surfaces != a.surfaces)
         return "a material now needs other features: it became rough, a mirror or neither";
-    if (b.specular_depth != a.specular_depth) return "mirrors now face each other, or no longer do";
+    if (b.max_depth != a.max_depth) return "mirrors now face each other, or no longer do";
     const auto same_triangle = [](const interop::TriangleInfo& x, const interop::TriangleInfo& y) {
         return x.vertices == y.vertices && x.material == y.material && x.instance == y.instance &&
                (x.light == interop::NONE) == (y.light == interop::NONE);

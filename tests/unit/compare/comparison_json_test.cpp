@@ -73,6 +73,7 @@ TEST(ComparisonJson, TopLevel) {
     EXPECT_EQ(json["height"], 3);
     EXPECT_EQ(json["seed"], 5);
     EXPECT_EQ(json["specular_depth"], 6);
+    EXPECT_EQ(json["kept_light"], false);
     EXPECT_EQ(json["exposure"], -1.5);
     EXPECT_EQ(json["light"], "direct");
     EXPECT_EQ(json["triangles"], 38);

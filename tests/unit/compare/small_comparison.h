@@ -57,7 +57,7 @@ inline Comparison small_comparison() {
     comparison.settings.width = 4;
     comparison.settings.height = 3;
     comparison.settings.seed = 5;
-    comparison.settings.specular_depth = 6;
+    comparison.settings.max_depth = 6;
     comparison.exposure = -1.5;
     comparison.import_seconds = 0.75;
     comparison.build_seconds = 0.0625;

@@ -142,7 +142,7 @@ TEST(Kernels, HaveTheWorkgroupsThatTheHostCountsWith) {
 TEST(Kernels, FitTheirPushConstantsIntoWhatEveryDeviceHas) {
     constexpr std::size_t kGuaranteed = 128;  // Vulkan 1.3, table "Required Limits"
     EXPECT_LE(sizeof(interop::FramePush), kGuaranteed);
-    EXPECT_LE(sizeof(interop::ImagePush), kGuaranteed);
+    EXPECT_LE(sizeof(interop::ViewPush), kGuaranteed);
 }
 
 }  // namespace

@@ -27,8 +27,9 @@ std::string usage_error(Function&& function) {
 }
 
 TEST(Method, NamesParseBack) {
-    for (const Method& method : all_methods(light_methods().front())) {
-        EXPECT_EQ(find_method(method.light->name, method.reflection->name), method);
+    for (const LightMethod& light : light_methods()) {
+        for (const Method& method : all_methods(light))
+            EXPECT_EQ(find_method(method.light->name, method.reflection->name), method);
     }
 }
 
@@ -59,7 +60,10 @@ TEST(Method, HelpListsEveryNameWithWhatItMeans) {
         const std::string entry = std::string(reflection.name) + " (" + std::string(reflection.summary) + ")";
         EXPECT_THAT(list_reflections(), HasSubstr(entry));
     }
-    EXPECT_THAT(list_lights(), HasSubstr("direct ("));
+    for (const LightMethod& light : light_methods()) {
+        EXPECT_FALSE(light.summary.empty()) << light.name;
+        EXPECT_THAT(list_lights(), HasSubstr(std::string(light.name) + " ("));
+    }
 }
 
 TEST(Method, UnknownReflectionListsTheNames) {

@@ -172,7 +172,7 @@ TEST(ProxyBox, FindsTheWallsOfAFurnishedRoom) {
     add(scene, icosphere({0.4f, 1.1f, 0.2f}, 0.3f, 2), mirror());
     const SceneData data = prepare_scene_data(scene);
     const glm::dvec3 point = glm::dvec3(0.4, 1.1, 0.2) - data.origin;
-    const Bounds box = fit_proxy_box(look_around(data, 2, point));
+    const Bounds box = fit_proxy_box(sample_surroundings(data, 2, point));
     const glm::dvec3 lower = glm::dvec3(box.lower) + data.origin;
     const glm::dvec3 upper = glm::dvec3(box.upper) + data.origin;
     EXPECT_LE(glm::distance(lower, glm::dvec3(-2, 0, -3)), 1e-5);
@@ -185,7 +185,7 @@ TEST(ProxyBox, HoldsWhatIsSeenOfItsReflector) {
     add(scene, quad({-5, -5, -1}, {10, 0, 0}, {0, 10, 0}), lambert(glm::vec3(0.5f)));
     add(scene, icosphere({0, 0, 0}, 2.0f, 1), mirror());
     const SceneData data = prepare_scene_data(scene);
-    const Bounds box = fit_proxy_box(look_around(data, 1, -data.origin));
+    const Bounds box = fit_proxy_box(sample_surroundings(data, 1, -data.origin));
     EXPECT_NEAR(static_cast<double>(box.lower.z) + data.origin.z, -1.0, 1e-6);
     EXPECT_GE(static_cast<double>(box.upper.x) + data.origin.x, 1.9);
     EXPECT_GE(static_cast<double>(box.upper.z) + data.origin.z, 1.9);
@@ -198,7 +198,7 @@ TEST(ProxyBox, IsTheRoomOfAMirrorThatReachesOutOfIt) {
         add(scene, room({0, 0, 0}, {4, 3, 5}), lambert(glm::vec3(0.5f)));
         add(scene, quad({-reach, -reach, 1}, {4 + 2 * reach, 0, 0}, {0, 3 + 2 * reach, 0}), mirror());
         const SceneData data = prepare_scene_data(scene);
-        const Bounds box = fit_proxy_box(look_around(data, 1, glm::dvec3(2, 1.5, 1) - data.origin));
+        const Bounds box = fit_proxy_box(sample_surroundings(data, 1, glm::dvec3(2, 1.5, 1) - data.origin));
         // Float32 holds places tens of metres from the origin to some micrometres.
         EXPECT_LE(glm::distance(glm::dvec3(box.lower) + data.origin, glm::dvec3(0, 0, 0)), 3e-5) << reach;
         EXPECT_LE(glm::distance(glm::dvec3(box.upper) + data.origin, glm::dvec3(4, 3, 5)), 3e-5) << reach;
@@ -209,7 +209,7 @@ TEST(ProxyBox, IsTheSceneWhereNothingSurrounds) {
     Scene scene;
     add(scene, icosphere({0, 0, 0}, 2.0f, 1), mirror());
     const SceneData data = prepare_scene_data(scene);
-    const Bounds box = fit_proxy_box(look_around(data, 0, {0, 0, 0}));
+    const Bounds box = fit_proxy_box(sample_surroundings(data, 0, {0, 0, 0}));
     EXPECT_EQ(box.lower, data.bounds.lower);
     EXPECT_EQ(box.upper, data.bounds.upper);
 }

@@ -113,11 +113,11 @@ TEST_F(SeenChangesOf, WhatMovedAreThoseOfItsPlaceBeforeAndAfter) {
     scene_.instances[0].world_from_object = glm::translate(glm::dmat4(1.0), glm::dvec3(-10, 0, 0));
     const SceneChange change = update_scene_data(data_, scene_);
     const SeenChanges seen(data_, change, {});
-    EXPECT_TRUE(seen.surfaces_differ_in(face(kPlusX), kNone));
-    EXPECT_TRUE(seen.surfaces_differ_in(face(kMinusX), kNone));
-    EXPECT_FALSE(seen.surfaces_differ_in(face(kPlusY), kNone));
-    EXPECT_FALSE(seen.surfaces_differ_in(face(kPlusX), 0)) << "a view that leaves the instance out";
-    EXPECT_FALSE(seen.look_otherwise_in(face(kPlusY), kNone));
+    EXPECT_TRUE(seen.surfaces_may_change_in(face(kPlusX), kNone));
+    EXPECT_TRUE(seen.surfaces_may_change_in(face(kMinusX), kNone));
+    EXPECT_FALSE(seen.surfaces_may_change_in(face(kPlusY), kNone));
+    EXPECT_FALSE(seen.surfaces_may_change_in(face(kPlusX), 0)) << "a view that leaves the instance out";
+    EXPECT_FALSE(seen.appearance_may_change_in(face(kPlusY), kNone));
 }
 
 TEST_F(SeenChangesOf, LightAreThoseOfTheSurfacesItFallsOn) {
@@ -128,9 +128,9 @@ TEST_F(SeenChangesOf, LightAreThoseOfTheSurfacesItFallsOn) {
         if (data_.triangle_infos[t].instance == 1) lit.push_back(t);
     }
     const SeenChanges seen(data_, change, lit);
-    EXPECT_TRUE(seen.look_otherwise_in(face(kPlusY), kNone));
-    EXPECT_FALSE(seen.look_otherwise_in(face(kPlusX), kNone));
-    EXPECT_FALSE(seen.surfaces_differ_in(face(kPlusY), kNone));
+    EXPECT_TRUE(seen.appearance_may_change_in(face(kPlusY), kNone));
+    EXPECT_FALSE(seen.appearance_may_change_in(face(kPlusX), kNone));
+    EXPECT_FALSE(seen.surfaces_may_change_in(face(kPlusY), kNone));
 }
 
 TEST_F(SeenChangesOf, AnythingAreThoseOfMirrors) {
@@ -138,10 +138,10 @@ TEST_F(SeenChangesOf, AnythingAreThoseOfMirrors) {
     scene_.materials[0].base_colour = {1, 0, 0};
     const SceneChange change = update_scene_data(data_, scene_);
     const SeenChanges seen(data_, change, {});
-    EXPECT_TRUE(seen.look_otherwise_in(face(kPlusX), kNone));
-    EXPECT_TRUE(seen.look_otherwise_in(face(kPlusY), kNone)) << "the mirror may show the plate";
-    EXPECT_FALSE(seen.look_otherwise_in(face(kPlusY), 1));
-    EXPECT_FALSE(seen.surfaces_differ_in(face(kPlusY), kNone)) << "but it is where it was";
+    EXPECT_TRUE(seen.appearance_may_change_in(face(kPlusX), kNone));
+    EXPECT_TRUE(seen.appearance_may_change_in(face(kPlusY), kNone)) << "the mirror may show the plate";
+    EXPECT_FALSE(seen.appearance_may_change_in(face(kPlusY), 1));
+    EXPECT_FALSE(seen.surfaces_may_change_in(face(kPlusY), kNone)) << "but it is where it was";
 }
 
 }  // namespace

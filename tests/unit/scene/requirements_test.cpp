@@ -34,7 +34,7 @@ TEST(Requirements, OfNothingAreNothing) {
     EXPECT_EQ(needs.triangles, 0u);
     EXPECT_EQ(needs.instances, 0u);
     EXPECT_FALSE(needs.environment || needs.glossy || needs.specular);
-    EXPECT_EQ(needs.specular_depth, 0u);
+    EXPECT_EQ(needs.max_depth, 0u);
 }
 
 TEST(Requirements, CountWhatInstancesUse) {
@@ -110,35 +110,33 @@ TEST(Requirements, BoundTheChainsOfMirrorsInOnePlane) {
     test::add(scene, unit_quad(), test::mirror());
     test::add(scene, test::quad({3, 2, 0}, {1, 0, 0}, {0, 1, 0}), test::mirror());
     Requirements needs = find_requirements(scene);
-    EXPECT_EQ(needs.specular_depth, 1u);
+    EXPECT_EQ(needs.max_depth, 1u);
     EXPECT_THAT(needs.reflective_instances, ElementsAre(0, 1));
 
     scene.instances[1].world_from_object = glm::translate(glm::dmat4(1.0), {0.0, 0.0, 1e-3});
-    EXPECT_EQ(find_requirements(scene).specular_depth, kUnboundedSpecularDepth)
-        << "a millimetre off the plane";
+    EXPECT_EQ(find_requirements(scene).max_depth, kUnboundedDepth) << "a millimetre off the plane";
 }
 
 TEST(Requirements, BoundMirrorsFarOutTheSame) {
     Scene scene;
     test::add(scene, unit_quad(), test::mirror());
     scene.instances[0].world_from_object = glm::translate(glm::dmat4(1.0), {1e6, 1e6, 1e6});
-    EXPECT_EQ(find_requirements(scene).specular_depth, 1u);
+    EXPECT_EQ(find_requirements(scene).max_depth, 1u);
 }
 
 TEST(Requirements, DoNotBoundCurvedMirrors) {
     Scene scene;
     test::add(scene, test::icosphere(glm::vec3(0.0f), 1.0f, 1), test::mirror());
-    EXPECT_EQ(find_requirements(scene).specular_depth, kUnboundedSpecularDepth);
+    EXPECT_EQ(find_requirements(scene).max_depth, kUnboundedDepth);
 }
 
-TEST(Requirements, CountRoughLobesAsReflections) {
+TEST(Requirements, CountGlossyLobesAsReflections) {
     Scene scene;
     test::add(scene, unit_quad(), test::rough_metal(0.5f));
-    EXPECT_EQ(find_requirements(scene).specular_depth, 1u);
+    EXPECT_EQ(find_requirements(scene).max_depth, 1u);
     EXPECT_THAT(find_requirements(scene).reflective_instances, IsEmpty());
     test::add(scene, test::quad({0, 0, 1}, {1, 0, 0}, {0, 1, 0}), test::mirror());
-    EXPECT_EQ(find_requirements(scene).specular_depth, kUnboundedSpecularDepth)
-        << "off the plane of the mirror";
+    EXPECT_EQ(find_requirements(scene).max_depth, kUnboundedDepth) << "off the plane of the mirror";
 }
 
 TEST(Requirements, PassOverReflectorsWithoutTriangles) {

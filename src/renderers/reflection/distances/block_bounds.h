@@ -45,10 +45,10 @@ double measure_samples(Device& device, const std::string& title, const Kernel& k
 
 /// Texels along the edge of a face from which on what its samples may show is told; those of coarser faces
 /// are turned so far that they may see all around.
-inline constexpr std::uint32_t kLeastToldSize = 32;
+inline constexpr std::uint32_t kSmallestTestedSize = 32;
 
 /// What the samples of a face and its border may show.
-/// @param size texels along its edge, >= kLeastToldSize
+/// @param size texels along its edge, >= kSmallestTestedSize
 inline ViewPyramid measured_face(const glm::vec3& capture_point, std::uint32_t face, std::uint32_t size) {
     // measure_distances.comp turns rays by at most 3 / size, and a turn moves a ray's place on the face,
     // whose half edge is 1, the more the farther it is from the middle: at a corner, sqrt(3) from the point,
@@ -66,7 +66,7 @@ void forget_faces(std::vector<bool>& captured, const std::vector<interop::ProbeI
     for (std::size_t i = 0; i < captured.size(); ++i) {
         const std::size_t probe = i / interop::DISTANCE_FACES;
         const auto face = static_cast<std::uint32_t>(i % interop::DISTANCE_FACES);
-        if (size < kLeastToldSize || seen(measured_face(probes[probe].capture_point, face, size), probe))
+        if (size < kSmallestTestedSize || seen(measured_face(probes[probe].capture_point, face, size), probe))
             captured[i] = false;
     }
 }

@@ -108,19 +108,20 @@ DistanceMaps::DistanceMaps(Device& device, const SceneData& data, std::vector<st
               "bounds of distances"),
       captured_(infos_.size() * interop::DISTANCE_FACES) {}
 
-void DistanceMaps::take_over(DistanceMaps& former) {
-    horizons_ = std::move(former.horizons_);
-    with_horizons_ = std::move(former.with_horizons_);
+void DistanceMaps::reuse_from(DistanceMaps& previous) {
+    horizons_ = std::move(previous.horizons_);
+    with_horizons_ = std::move(previous.with_horizons_);
     if (!horizons_.empty()) horizon_buffer_.upload(std::as_bytes(std::span(horizons_)));
-    if (former.size_ != size_ || former.infos_.size() != infos_.size() || former.tolerance_ != tolerance_)
+    if (previous.size_ != size_ || previous.infos_.size() != infos_.size() ||
+        previous.tolerance_ != tolerance_)
         return;
-    samples_ = std::move(former.samples_);
-    bounds_ = std::move(former.bounds_);
+    samples_ = std::move(previous.samples_);
+    bounds_ = std::move(previous.bounds_);
     for (std::size_t face = 0; face < captured_.size(); ++face) {
         const std::size_t probe = face / interop::DISTANCE_FACES;
-        captured_[face] = former.captured_[face] && former.instances_[probe] == instances_[probe] &&
-                          former.probes_[probe].capture_point == probes_[probe].capture_point &&
-                          std::memcmp(&former.infos_[probe], &infos_[probe], sizeof(infos_[probe])) == 0;
+        captured_[face] = previous.captured_[face] && previous.instances_[probe] == instances_[probe] &&
+                          previous.probes_[probe].capture_point == probes_[probe].capture_point &&
+                          std::memcmp(&previous.infos_[probe], &infos_[probe], sizeof(infos_[probe])) == 0;
     }
 }
 
@@ -128,7 +129,7 @@ void DistanceMaps::forget(const SeenChanges& changes) {
     if (changes.empty()) return;
     std::erase_if(with_horizons_, [&](std::uint32_t instance) { return changes.has_moved(instance); });
     forget_faces(captured_, probes_, size_, [&](const ViewPyramid& view, std::size_t probe) {
-        return changes.surfaces_differ_in(view, instances_[probe]);
+        return changes.surfaces_may_change_in(view, instances_[probe]);
     });
 }
 
@@ -154,7 +155,7 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
     Specialization specialization = scene.specialization();
     specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
     specialization[interop::SPEC_DISTANCE_SIZE] = size_;
-    specialization[interop::SPEC_TELLS_RADIANCE] = tolerance_ == Tolerance::Of::radiance ? 1 : 0;
+    specialization[interop::SPEC_MARKS_GLOSSY] = tolerance_ == Tolerance::Of::radiance ? 1 : 0;
     Bindings bindings = scene.bindings();
     bindings.merge(this->bindings());
     const Kernel measure(*device_, "measure_distances", kernels::measure_distances, specialization,

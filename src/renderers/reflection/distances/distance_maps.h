@@ -33,7 +33,7 @@ class DistanceMaps {
 
     /// Takes distances over from those of the scene before it changed, where they are as many and as fine:
     /// of the capture points that stay where they are.
-    void take_over(DistanceMaps& former);
+    void reuse_from(DistanceMaps& previous);
     /// Drops what a change may have changed.
     void forget(const SeenChanges& changes);
 

@@ -49,21 +49,21 @@ RadianceBounds::RadianceBounds(Device& device, std::vector<std::uint32_t> instan
       brightest_(device, bytes_of_bounds(device, infos.size(), size), "brightest of blocks"),
       captured_(infos.size() * interop::DISTANCE_FACES) {}
 
-void RadianceBounds::take_over(RadianceBounds& former) {
-    if (former.size_ != size_ || former.probes_.size() != probes_.size()) return;
-    darkest_ = std::move(former.darkest_);
-    brightest_ = std::move(former.brightest_);
+void RadianceBounds::reuse_from(RadianceBounds& previous) {
+    if (previous.size_ != size_ || previous.probes_.size() != probes_.size()) return;
+    darkest_ = std::move(previous.darkest_);
+    brightest_ = std::move(previous.brightest_);
     for (std::size_t face = 0; face < captured_.size(); ++face) {
         const std::size_t probe = face / interop::DISTANCE_FACES;
-        captured_[face] = former.captured_[face] && former.instances_[probe] == instances_[probe] &&
-                          former.probes_[probe].capture_point == probes_[probe].capture_point;
+        captured_[face] = previous.captured_[face] && previous.instances_[probe] == instances_[probe] &&
+                          previous.probes_[probe].capture_point == probes_[probe].capture_point;
     }
 }
 
 void RadianceBounds::forget(const SeenChanges& changes) {
     if (changes.empty()) return;
     forget_faces(captured_, probes_, size_, [&](const ViewPyramid& view, std::size_t probe) {
-        return changes.look_otherwise_in(view, instances_[probe]);
+        return changes.appearance_may_change_in(view, instances_[probe]);
     });
 }
 

@@ -28,7 +28,7 @@ class RadianceBounds {
 
     /// Takes bounds over from those of the scene before it changed, where they are as many and as fine: of
     /// the capture points that stay where they are.
-    void take_over(RadianceBounds& former);
+    void reuse_from(RadianceBounds& previous);
     /// Drops what a change may have changed.
     void forget(const SeenChanges& changes);
 

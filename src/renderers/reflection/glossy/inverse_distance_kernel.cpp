@@ -4,7 +4,7 @@
 #include "renderers/reflection/distances/block_bounds.h"
 
 #include "interop/bindings.h"
-#include "interop/rough_map.h"
+#include "interop/glossy_map.h"
 #include "interop/specialization.h"
 #include "kernels/measure_inverse_distances.h"
 
@@ -40,7 +40,7 @@ void InverseDistanceKernel::warm_up() {
 
 FrameCounts InverseDistanceKernel::measure(const glm::vec3& point, std::uint32_t size,
                                            std::uint32_t excluded_instance) {
-    const std::uint32_t texels = interop::ROUGH_MAP_FACES * size * size;
+    const std::uint32_t texels = interop::GLOSSY_MAP_FACES * size * size;
     interop::MeasureInverseDistancesPush push{};
     push.capture_point = point;
     push.excluded_instance = excluded_instance;

@@ -15,7 +15,7 @@ namespace utsuri {
 namespace {
 
 constexpr std::uint32_t kGroupSize = 64;
-constexpr std::uint32_t kFaces = interop::ROUGH_MAP_FACES;
+constexpr std::uint32_t kFaces = interop::GLOSSY_MAP_FACES;
 
 /// Texels before a level of what is captured, whose edge halves from level to level.
 std::uint32_t first_of_level(std::uint32_t size, std::uint32_t level) {
@@ -57,7 +57,7 @@ Bindings scene_bindings(const GpuScene& scene, const SurfaceLight& light) {
 }  // namespace
 
 std::uint64_t prefiltered_texels(std::uint32_t level_size) {
-    const std::uint64_t stride = std::uint64_t{level_size} + 2 * interop::ROUGH_MAP_BORDER;
+    const std::uint64_t stride = std::uint64_t{level_size} + 2 * interop::GLOSSY_MAP_BORDER;
     return kFaces * stride * stride;
 }
 
@@ -82,8 +82,8 @@ MapPrefilter::MapPrefilter(Device& device, const GpuScene& scene, const SurfaceL
                                {interop::BINDING_MAP_INVERSE_DISTANCES, &inverse_distances_}})),
       convolve_set_(convolver_.bind({{interop::BINDING_MAP_TEXELS, &source_},
                                      {interop::BINDING_MAP_INVERSE_DISTANCES, &inverse_distances_},
-                                     {interop::BINDING_ROUGH_TEXELS, &maps.texels},
-                                     {interop::BINDING_ROUGH_INVERSE_DISTANCES, &maps.inverse_distances}})) {
+                                     {interop::BINDING_GLOSSY_TEXELS, &maps.texels},
+                                     {interop::BINDING_GLOSSY_INVERSE_DISTANCES, &maps.inverse_distances}})) {
     if (maps.keeps_distances) measurer_.emplace(device, scene, inverse_distances_);
 }
 

@@ -6,7 +6,7 @@
 #include "renderers/reflection/glossy/inverse_distance_kernel.h"
 #include "renderers/scene/gpu_scene.h"
 
-#include "interop/rough_map.h"
+#include "interop/glossy_map.h"
 
 #include <glm/vec3.hpp>
 

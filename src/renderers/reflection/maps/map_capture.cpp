@@ -43,7 +43,7 @@ void MapCapture::prepare(const Camera& eye, RenderStatistics& statistics) {
     statistics.captured_maps = maps_.captured_count();
     if (statistics.maps == 0) return;
     const auto start = std::chrono::steady_clock::now();
-    maps_.turn_to(eye);
+    maps_.orient_to(eye);
     tracer_.emplace(device_, "trace_map", kernels::trace_map, tracing_specialization(scene_, maps_.kind()),
                     tracing_bindings(scene_, light_));
     resolver_.emplace(device_, "resolve_map", kernels::resolve_map, Specialization{},
@@ -66,7 +66,7 @@ bool MapCapture::capture_missing(RenderStatistics& statistics, Progress& progres
         progress.update(static_cast<double>(done.size()), static_cast<double>(wanted.size()));
     }
     film_.reset();
-    maps_.note_captured(done);
+    maps_.mark_captured(done);
     statistics.captured_maps = maps_.captured_count();
     return true;
 }
@@ -88,7 +88,7 @@ FrameCounts MapCapture::capture(std::uint32_t map) {
     frame.camera = maps_.map_camera(map);
     // Any odd multiple of the map's number keeps the samples of maps and picture apart.
     frame.seed = settings_.seed ^ (0x9e3779b9u * (map + 1));
-    frame.specular_depth = std::min(settings_.specular_depth, scene_.specular_depth());
+    frame.max_depth = std::min(settings_.max_depth, scene_.max_depth());
     frame.excluded_instance = maps_.reflectors().instances[maps_.probes()[probe].reflector];
     Progress silent;
     FrameCounts counts = tracer_->add_samples(film, frame, samples_, silent);

@@ -22,7 +22,7 @@ constexpr std::size_t kSharper = 64;
 constexpr std::uint32_t kStep = 8;
 
 /// What a pixel sees by way of a reflector.
-struct Sight {
+struct SurroundingsSample {
     std::uint32_t reflector;
     glm::dvec3 place;               ///< on it, scene space
     glm::dvec3 direction;           ///< unit
@@ -47,7 +47,7 @@ class Sights {
         : scene_(scene), reflectors_(reflectors), finds_hits_(finds_hits(kind)), view_(view) {}
 
     /// @param x, y of the pixel, from the top left corner
-    [[nodiscard]] std::optional<Sight> at(std::uint32_t x, std::uint32_t y) const {
+    [[nodiscard]] std::optional<SurroundingsSample> at(std::uint32_t x, std::uint32_t y) const {
         const double half_height = std::tan(0.5 * view_.camera.vertical_fov);
         const double pixel = 2.0 * half_height / view_.height;
         const glm::dvec3 direction =
@@ -60,14 +60,14 @@ class Sights {
         const std::uint32_t reflector = reflectors_.instance_reflectors[instance];
         if (reflector == interop::NONE) return std::nullopt;
         const glm::dvec3 normal = shading_normal(scene_, *first, direction);
-        Sight sight{reflector, eye + first->t * direction,
-                    direction - 2.0 * glm::dot(direction, normal) * normal, std::nullopt};
-        if (!finds_hits_) return sight;
+        SurroundingsSample sample{reflector, eye + first->t * direction,
+                                  direction - 2.0 * glm::dot(direction, normal) * normal, std::nullopt};
+        if (!finds_hits_) return sample;
         const auto second = closest_hit_reference(
-            scene_.bvh, sight.place, sight.direction, kInfinity,
+            scene_.bvh, sample.place, sample.direction, kInfinity,
             [&](std::uint32_t triangle) { return scene_.triangle_infos[triangle].instance != instance; });
-        if (second) sight.hit = sight.place + second->t * sight.direction;
-        return sight;
+        if (second) sample.hit = sample.place + second->t * sample.direction;
+        return sample;
     }
 
   private:
@@ -80,13 +80,14 @@ class Sights {
     const MapView& view_;
 };
 
-/// The probe that a sight's ray passes nearest, as shaders choose.
-std::uint32_t nearest_probe(const std::vector<Probe>& probes, const Sight& sight) {
+/// The probe that a sample's ray passes nearest, as shaders choose.
+std::uint32_t nearest_probe(const std::vector<Probe>& probes, const SurroundingsSample& sample) {
     std::uint32_t nearest = 0;
     double least = kInfinity;
     for (std::uint32_t i = 0; i < probes.size(); ++i) {
-        if (probes[i].reflector != sight.reflector) continue;
-        const double passes = glm::length(glm::cross(sight.place - probes[i].capture_point, sight.direction));
+        if (probes[i].reflector != sample.reflector) continue;
+        const double passes =
+            glm::length(glm::cross(sample.place - probes[i].capture_point, sample.direction));
         if (passes < least) {
             least = passes;
             nearest = i;
@@ -96,12 +97,13 @@ std::uint32_t nearest_probe(const std::vector<Probe>& probes, const Sight& sight
 }
 
 /// Unit direction from a point to what a pixel sees.
-glm::dvec3 direction_from(const glm::dvec3& point, const Sight& sight) {
-    return sight.hit ? glm::normalize(*sight.hit - point) : sight.direction;
+glm::dvec3 direction_from(const glm::dvec3& point, const SurroundingsSample& sample) {
+    return sample.hit ? glm::normalize(*sample.hit - point) : sample.direction;
 }
 
 /// Root of the solid angle at a point of what a pixel sees, from its neighbours to the right and below.
-double angle_at(const glm::dvec3& point, const Sight& pixel, const Sight& right, const Sight& below) {
+double angle_at(const glm::dvec3& point, const SurroundingsSample& pixel, const SurroundingsSample& right,
+                const SurroundingsSample& below) {
     const glm::dvec3 direction = direction_from(point, pixel);
     return std::sqrt(glm::length(
         glm::cross(direction_from(point, right) - direction, direction_from(point, below) - direction)));
@@ -120,16 +122,16 @@ std::uint32_t size_for(std::vector<double>& angles, double texel_angle, std::uin
 std::vector<std::uint32_t> fit_map_sizes(const SceneData& scene, const Reflectors& reflectors,
                                          const std::vector<Probe>& probes, MapKind kind, const MapView& view,
                                          double texel_angle, std::uint32_t most) {
-    const Sights sights(scene, reflectors, kind, view);
+    const Sights samples(scene, reflectors, kind, view);
     std::vector<std::vector<double>> angles(probes.size());
     const std::uint32_t step = (std::max(view.width, view.height) + kPixels - 1) / kPixels;
     for (std::uint32_t y = 0; y < view.height && !probes.empty(); y += step) {
         // Rows are staggered, so that nothing upright hides between the columns.
         for (std::uint32_t x = y / step % step; x < view.width; x += step) {
-            const auto pixel = sights.at(x, y);
+            const auto pixel = samples.at(x, y);
             if (!pixel) continue;
-            const auto right = sights.at(x + 1, y);
-            const auto below = sights.at(x, y + 1);
+            const auto right = samples.at(x + 1, y);
+            const auto below = samples.at(x, y + 1);
             if (!right || !below || right->reflector != pixel->reflector ||
                 below->reflector != pixel->reflector)
                 continue;

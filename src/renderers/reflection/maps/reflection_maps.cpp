@@ -190,7 +190,7 @@ std::uint32_t ReflectionMaps::largest_size() const {
     return largest;
 }
 
-void ReflectionMaps::turn_to(const Camera& eye) {
+void ReflectionMaps::orient_to(const Camera& eye) {
     if (infos_.empty()) return;
     for (interop::ProbeInfo& info : infos_) {
         info.map_right = glm::vec3(eye.right);
@@ -200,19 +200,20 @@ void ReflectionMaps::turn_to(const Camera& eye) {
     info_buffer_.upload(std::as_bytes(std::span(infos_)));
 }
 
-void ReflectionMaps::take_over(ReflectionMaps& former) {
+void ReflectionMaps::reuse_from(ReflectionMaps& previous) {
     const auto same_layout = [](const interop::ProbeInfo& a, const interop::ProbeInfo& b) {
         return a.first_texel == b.first_texel && a.map_size == b.map_size;
     };
-    if (!std::equal(infos_.begin(), infos_.end(), former.infos_.begin(), former.infos_.end(), same_layout))
+    if (!std::equal(infos_.begin(), infos_.end(), previous.infos_.begin(), previous.infos_.end(),
+                    same_layout))
         return;
-    texels_ = std::move(former.texels_);
-    states_ = std::move(former.states_);
+    texels_ = std::move(previous.texels_);
+    states_ = std::move(previous.states_);
     const std::vector<std::uint32_t> now = instances();
-    const std::vector<std::uint32_t> then = former.instances();
+    const std::vector<std::uint32_t> then = previous.instances();
     std::vector<std::uint32_t> moved;
     for (std::uint32_t probe = 0; probe < infos_.size(); ++probe) {
-        if (infos_[probe].capture_point == former.infos_[probe].capture_point && now[probe] == then[probe])
+        if (infos_[probe].capture_point == previous.infos_[probe].capture_point && now[probe] == then[probe])
             continue;
         for (std::uint32_t face = 0; face < maps_per_probe(); ++face)
             moved.push_back(probe * maps_per_probe() + face);
@@ -226,7 +227,7 @@ void ReflectionMaps::forget(const SeenChanges& changes) {
     for (std::uint32_t map = 0; map < map_count(); ++map) {
         // A sphere map sees all around.
         if (kind_ == MapKind::sphere ||
-            changes.look_otherwise_in(ViewPyramid(map_camera(map)), owners[map / maps_per_probe()])) {
+            changes.appearance_may_change_in(ViewPyramid(map_camera(map)), owners[map / maps_per_probe()])) {
             changed.push_back(map);
         }
     }

@@ -37,11 +37,11 @@ class ReflectionMaps {
                    const std::vector<std::uint32_t>& instances);
 
     /// Turns sphere maps, before any is captured, to an eye whose axes they follow.
-    void turn_to(const Camera& eye);
+    void orient_to(const Camera& eye);
 
     /// Takes maps over from those of the scene before it changed, where they are as many and as fine: of the
     /// capture points that stay where they are.
-    void take_over(ReflectionMaps& former);
+    void reuse_from(ReflectionMaps& previous);
     /// Drops maps that a change may have changed.
     void forget(const SeenChanges& changes);
 
@@ -50,7 +50,7 @@ class ReflectionMaps {
     /// Maps that were looked up since they were last captured, ascending: each is number
     /// probe * maps_per_probe() + face.
     [[nodiscard]] std::vector<std::uint32_t> wanted() const;
-    void note_captured(const std::vector<std::uint32_t>& maps) { set_states(maps, interop::MAP_CAPTURED); }
+    void mark_captured(const std::vector<std::uint32_t>& maps) { set_states(maps, interop::MAP_CAPTURED); }
     [[nodiscard]] std::uint32_t captured_count() const { return captured_; }
     [[nodiscard]] std::uint32_t map_count() const;
     /// Texels along an edge of the largest maps; 0 without maps.

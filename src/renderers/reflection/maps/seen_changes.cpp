@@ -77,7 +77,7 @@ bool SeenChanges::has_moved(std::uint32_t instance) const {
     return false;
 }
 
-bool SeenChanges::surfaces_differ_in(const ViewPyramid& view, std::uint32_t without) const {
+bool SeenChanges::surfaces_may_change_in(const ViewPyramid& view, std::uint32_t without) const {
     for (std::size_t i = 0; i < change_.triangles.size(); ++i) {
         const std::uint32_t triangle = change_.triangles[i];
         if (data_.triangle_infos[triangle].instance == without) continue;
@@ -86,9 +86,9 @@ bool SeenChanges::surfaces_differ_in(const ViewPyramid& view, std::uint32_t with
     return false;
 }
 
-bool SeenChanges::look_otherwise_in(const ViewPyramid& view, std::uint32_t without) const {
+bool SeenChanges::appearance_may_change_in(const ViewPyramid& view, std::uint32_t without) const {
     if (empty()) return false;
-    if (change_.surroundings || surfaces_differ_in(view, without) || shows_reflections(view, without))
+    if (change_.surroundings || surfaces_may_change_in(view, without) || shows_reflections(view, without))
         return true;
     return std::any_of(lit_.begin(), lit_.end(), [&](std::uint32_t triangle) {
         return data_.triangle_infos[triangle].instance != without &&

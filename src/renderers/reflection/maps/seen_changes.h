@@ -44,9 +44,9 @@ class SeenChanges {
     [[nodiscard]] bool has_moved(std::uint32_t instance) const;
     /// Whether the surfaces in a view may be others, elsewhere, or of another look.
     /// @param without the instance that the view leaves out
-    [[nodiscard]] bool surfaces_differ_in(const ViewPyramid& view, std::uint32_t without) const;
-    /// Whether a picture that traces what mirrors and rough lobes in it reflect may look otherwise.
-    [[nodiscard]] bool look_otherwise_in(const ViewPyramid& view, std::uint32_t without) const;
+    [[nodiscard]] bool surfaces_may_change_in(const ViewPyramid& view, std::uint32_t without) const;
+    /// Whether a picture that traces what mirrors and glossy lobes in it reflect may look otherwise.
+    [[nodiscard]] bool appearance_may_change_in(const ViewPyramid& view, std::uint32_t without) const;
 
   private:
     [[nodiscard]] bool shows_reflections(const ViewPyramid& view, std::uint32_t without) const;
@@ -54,7 +54,7 @@ class SeenChanges {
     const SceneData& data_;
     const SceneChange& change_;
     std::vector<std::uint32_t> lit_;
-    std::vector<std::uint32_t> reflecting_;  ///< triangles with a specular or rough lobe
+    std::vector<std::uint32_t> reflecting_;  ///< triangles with a specular or glossy lobe
 };
 
 }  // namespace utsuri

@@ -18,7 +18,7 @@ PlanarDrawer::PlanarDrawer(Device& device, const SceneData& data, const PlaneMir
                            const Reflectors& curved, MapKind kind, const std::vector<interop::MapFace>& faces,
                            const Specialization& specialization, const Bindings& bindings,
                            std::uint32_t width, std::uint32_t height)
-    : device_(drawing_device(device)),
+    : device_(require_graphics(device)),
       frame_(*bindings.at(interop::BINDING_FRAME)),
       background_(background_of(data)),
       colour_(device, width, height, kColourFormat, "drawn picture"),
@@ -35,28 +35,28 @@ Bindings PlanarDrawer::with_pictures(Bindings bindings) const {
 }
 
 void PlanarDrawer::warm_up() {
-    const std::array<ColourTarget, ImageDrawer::kColours> targets = {ColourTarget{colour_, background_},
-                                                                     ColourTarget{throughput_, background_}};
+    const std::array<ColourTarget, MirroredViewDrawer::kColours> targets = {
+        ColourTarget{colour_, background_}, ColourTarget{throughput_, background_}};
     device_.run("compile pipelines", [&](const vk::raii::CommandBuffer& commands) {
         draw_into(commands, targets, depth_, [&] { drawer_.warm_up(commands); });
     });
 }
 
-void PlanarDrawer::record(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,
+void PlanarDrawer::record(const vk::raii::CommandBuffer& commands, const std::vector<MirroredView>& views,
                           const interop::FrameInfo& frame) const {
     frame_.record_update(commands, std::as_bytes(std::span(&frame, 1)));
     std::optional<std::array<float, 4>> background = background_;
-    for (std::uint32_t next = 0; next < images.size();) {
+    for (std::uint32_t next = 0; next < views.size();) {
         if (next > 0) {
             colour_.copy_rows(commands, 0, colour_.height(), drawn_before_);
             throughput_.copy_rows(commands, 0, throughput_.height(), throughput_before_);
         }
-        const std::uint32_t reflections = images[next].reflections;
-        const std::array<ColourTarget, ImageDrawer::kColours> targets = {
+        const std::uint32_t reflections = views[next].reflections;
+        const std::array<ColourTarget, MirroredViewDrawer::kColours> targets = {
             ColourTarget{colour_, background}, ColourTarget{throughput_, background}};
         draw_into(commands, targets, depth_, [&] {
-            for (; next < images.size() && images[next].reflections == reflections; ++next)
-                drawer_.draw(commands, images, next, frame.specular_depth);
+            for (; next < views.size() && views[next].reflections == reflections; ++next)
+                drawer_.draw(commands, views, next, frame.max_depth);
         });
         background.reset();
     }

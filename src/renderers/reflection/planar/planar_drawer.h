@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/reflection/planar/image_drawer.h"
+#include "renderers/reflection/planar/mirrored_view_drawer.h"
 
 namespace utsuri {
 
-/// Draws one view of a scene with what its plane mirrors show: the view itself, then the images of one
-/// reflection, of two, and so on. A pixel shows at most one image of each number of reflections.
+/// Draws one view of a scene with what its plane mirrors show: the view itself, then the views of one
+/// reflection, of two, and so on. A pixel shows at most one view of each number of reflections.
 class PlanarDrawer {
   public:
     /// @param bindings of scene, light cache, maps and BINDING_FRAME; the last and the states of the maps
     /// must outlive this
     /// @param curved reflectors with maps
-    /// @param kind of the maps: see ImageDrawer
+    /// @param kind of the maps: see MirroredViewDrawer
     /// @param faces of the maps
     /// @throws DeviceError if the device cannot draw pictures of this size
     PlanarDrawer(Device& device, const SceneData& data, const PlaneMirrors& mirrors, const Reflectors& curved,
@@ -24,8 +24,8 @@ class PlanarDrawer {
     void warm_up();
 
     /// Records the drawing of one picture.
-    /// @param images plan_mirror_images() for a picture of this size
-    void record(const vk::raii::CommandBuffer& commands, const std::vector<MirrorImage>& images,
+    /// @param views plan_mirrored_views() for a picture of this size
+    void record(const vk::raii::CommandBuffer& commands, const std::vector<MirroredView>& views,
                 const interop::FrameInfo& frame) const;
     /// What it draws into: see lib/image_state.glsl for its fourth channel.
     [[nodiscard]] const Attachment& picture() const { return colour_; }
@@ -41,7 +41,7 @@ class PlanarDrawer {
     Attachment depth_;
     Buffer drawn_before_;
     Buffer throughput_before_;
-    ImageDrawer drawer_;
+    MirroredViewDrawer drawer_;
 };
 
 }  // namespace utsuri

@@ -35,12 +35,12 @@ Proxy proxy_of(std::vector<HalfSpace> planes) {
 Proxy find_proxy(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point,
                  const std::optional<GivenProxy>& given) {
     if (given) return proxy_of(moved_to(scene.origin, given->planes));
-    const Surroundings around = look_around(scene, instance, point);
+    const Surroundings around = sample_surroundings(scene, instance, point);
     const Bounds box = fit_proxy_box(around);
-    const double misfit = mean_misfit(around.sights, moved_to(point, sides_of(box)));
+    const double misfit = mean_misfit(around.samples, moved_to(point, sides_of(box)));
     if (misfit <= kGoodFit) return {box, {}};
     const std::vector<HalfSpace> planes = fit_proxy_planes(scene, around);
-    if (mean_misfit(around.sights, planes) > kBetterBy * misfit) return {box, {}};
+    if (mean_misfit(around.samples, planes) > kBetterBy * misfit) return {box, {}};
     return proxy_of(moved_to(-point, planes));
 }
 

@@ -19,32 +19,32 @@ constexpr int kRounds = 4;
 /// Distances of the six sides from the point: side 2 axis + (upper ? 1 : 0).
 using Sides = std::array<double, 6>;
 
-/// How far along an axis a sight reaches towards a side; not positive where it looks away from it.
-double reach(const Sight& sight, std::size_t side) {
-    const double component = sight.direction[static_cast<int>(side / 2)] * sight.distance;
+/// How far along an axis a sample reaches towards a side; not positive where it looks away from it.
+double reach(const SurroundingsSample& sample, std::size_t side) {
+    const double component = sample.direction[static_cast<int>(side / 2)] * sample.distance;
     return side % 2 == 1 ? component : -component;
 }
 
-double mean_misfit(const std::vector<Sight>& sights, const Sides& sides) {
+double mean_misfit(const std::vector<SurroundingsSample>& samples, const Sides& sides) {
     double sum = 0.0;
-    for (const Sight& sight : sights) {
-        // The box is left at the least share of the sight's length.
+    for (const SurroundingsSample& sample : samples) {
+        // The box is left at the least share of the sample's length.
         double share = std::numeric_limits<double>::infinity();
         for (std::size_t side = 0; side < 6; ++side) {
-            const double towards = reach(sight, side);
+            const double towards = reach(sample, side);
             if (towards > 0.0) share = std::min(share, sides[side] / towards);
         }
         sum += std::abs(std::log(share));
     }
-    return sum / static_cast<double>(sights.size());
+    return sum / static_cast<double>(samples.size());
 }
 
-/// Distances that the sights aimed at a side reach towards it, a few dozen of them in order.
+/// Distances that the samples aimed at a side reach towards it, a few dozen of them in order.
 std::vector<double> candidates(const Surroundings& around, std::size_t side, double least) {
     std::vector<double> reached;
-    for (const Sight& sight : around.sights) {
-        const double towards = reach(sight, side);
-        const glm::dvec3 size = glm::abs(sight.direction);
+    for (const SurroundingsSample& sample : around.samples) {
+        const double towards = reach(sample, side);
+        const glm::dvec3 size = glm::abs(sample.direction);
         // What a place touches is beyond it, whatever rounding made of either.
         const bool is_beyond = towards > 0.0 && towards > least - around.tolerance;
         if (is_beyond && size[static_cast<int>(side / 2)] >= 0.5 * std::max({size.x, size.y, size.z}))
@@ -62,7 +62,7 @@ std::vector<double> candidates(const Surroundings& around, std::size_t side, dou
 }  // namespace
 
 Bounds fit_proxy_box(const Surroundings& around) {
-    const std::vector<Sight>& sights = around.sights;
+    const std::vector<SurroundingsSample>& samples = around.samples;
     const glm::dvec3& point = around.point;
     glm::dvec3 lower(0.0);
     glm::dvec3 upper(0.0);
@@ -80,13 +80,13 @@ Bounds fit_proxy_box(const Surroundings& around) {
         least[side] = is_upper ? upper[axis] : -lower[axis];
         sides[side] = std::max(scene, least[side]);
     }
-    double misfit = sights.empty() ? 0.0 : mean_misfit(sights, sides);
-    for (int round = 0; round < kRounds && !sights.empty(); ++round) {
+    double misfit = samples.empty() ? 0.0 : mean_misfit(samples, sides);
+    for (int round = 0; round < kRounds && !samples.empty(); ++round) {
         for (std::size_t side = 0; side < 6; ++side) {
             for (const double distance : candidates(around, side, least[side])) {
                 Sides tried = sides;
                 tried[side] = distance;
-                const double tried_misfit = mean_misfit(sights, tried);
+                const double tried_misfit = mean_misfit(samples, tried);
                 if (tried_misfit >= misfit) continue;
                 misfit = tried_misfit;
                 sides = tried;

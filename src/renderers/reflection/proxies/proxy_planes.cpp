@@ -12,7 +12,7 @@
 namespace utsuri {
 namespace {
 
-/// Planes seen that are tried: those that most sights meet.
+/// Planes seen that are tried: those that most samples meet.
 constexpr std::size_t kMostCandidates = 64;
 /// Planes added to the bounds of the scene: each costs every look-up.
 constexpr std::size_t kMostAdded = 12;
@@ -24,45 +24,45 @@ constexpr double kSamePlane = 1e-3;
 /// Misfit that rounding makes.
 constexpr double kSameMisfit = 1e-6;
 
-/// The share of a sight's length at which it leaves a half space about the capture point.
-double share_of(const Sight& sight, const HalfSpace& plane) {
-    const double towards = glm::dot(plane.normal, sight.direction) * sight.distance;
+/// The share of a sample's length at which it leaves a half space about the capture point.
+double share_of(const SurroundingsSample& sample, const HalfSpace& plane) {
+    const double towards = glm::dot(plane.normal, sample.direction) * sample.distance;
     return towards > 0.0 ? plane.offset / towards : std::numeric_limits<double>::infinity();
 }
 
-double least_share(const Sight& sight, const std::vector<HalfSpace>& planes) {
+double least_share(const SurroundingsSample& sample, const std::vector<HalfSpace>& planes) {
     double share = std::numeric_limits<double>::infinity();
     for (const HalfSpace& plane : planes)
-        share = std::min(share, share_of(sight, plane));
+        share = std::min(share, share_of(sample, plane));
     return share;
 }
 
 struct SeenPlane {
     HalfSpace plane;
-    std::size_t sights = 0;
+    std::size_t samples = 0;
 };
 
-/// The planes of the triangles that sights meet, those that most do first.
+/// The planes of the triangles that samples meet, those that most do first.
 std::vector<HalfSpace> seen_planes(const SceneData& scene, const Surroundings& around) {
     std::vector<SeenPlane> seen;
-    for (const Sight& sight : around.sights) {
-        glm::dvec3 normal = glm::normalize(doubled_area(corners_of(scene, sight.triangle)));
-        if (glm::dot(normal, sight.direction) < 0.0) normal = -normal;
-        const glm::dvec3 hit = sight.distance * sight.direction;
+    for (const SurroundingsSample& sample : around.samples) {
+        glm::dvec3 normal = glm::normalize(doubled_area(corners_of(scene, sample.triangle)));
+        if (glm::dot(normal, sample.direction) < 0.0) normal = -normal;
+        const glm::dvec3 hit = sample.distance * sample.direction;
         const auto same = std::find_if(seen.begin(), seen.end(), [&](const SeenPlane& other) {
             return glm::distance(other.plane.normal, normal) <= kSamePlane &&
                    std::abs(glm::dot(other.plane.normal, hit) - other.plane.offset) <=
-                       kSamePlane * sight.distance;
+                       kSamePlane * sample.distance;
         });
         if (same != seen.end()) {
-            ++same->sights;
+            ++same->samples;
             continue;
         }
-        const double offset = glm::dot(normal, corners_of(scene, sight.triangle)[0] - around.point);
+        const double offset = glm::dot(normal, corners_of(scene, sample.triangle)[0] - around.point);
         if (offset > around.tolerance) seen.push_back({{normal, offset}, 1});
     }
     std::stable_sort(seen.begin(), seen.end(),
-                     [](const SeenPlane& a, const SeenPlane& b) { return a.sights > b.sights; });
+                     [](const SeenPlane& a, const SeenPlane& b) { return a.samples > b.samples; });
     std::vector<HalfSpace> planes;
     for (std::size_t i = 0; i < std::min(seen.size(), kMostCandidates); ++i)
         planes.push_back(seen[i].plane);
@@ -113,21 +113,22 @@ double mean_log(const std::vector<double>& shares) {
     return shares.empty() ? 0.0 : sum / static_cast<double>(shares.size());
 }
 
-/// Where sights leave what a plane cuts off from.
-std::vector<double> cut(std::vector<double> shares, const std::vector<Sight>& sights,
+/// Where samples leave what a plane cuts off from.
+std::vector<double> cut(std::vector<double> shares, const std::vector<SurroundingsSample>& samples,
                         const HalfSpace& plane) {
-    for (std::size_t i = 0; i < sights.size(); ++i)
-        shares[i] = std::min(shares[i], share_of(sights[i], plane));
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        shares[i] = std::min(shares[i], share_of(samples[i], plane));
     return shares;
 }
 
 /// Leaves out, from the first on, planes without which nothing seen is missed.
-std::vector<HalfSpace> without_idle(const std::vector<Sight>& sights, std::vector<HalfSpace> planes) {
-    const double limit = mean_misfit(sights, planes) + kSameMisfit;
+std::vector<HalfSpace> without_idle(const std::vector<SurroundingsSample>& samples,
+                                    std::vector<HalfSpace> planes) {
+    const double limit = mean_misfit(samples, planes) + kSameMisfit;
     for (std::size_t i = 0; i < planes.size();) {
         std::vector<HalfSpace> others = planes;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-        if (mean_misfit(sights, others) <= limit && enclosed_region(others)) {
+        if (mean_misfit(samples, others) <= limit && enclosed_region(others)) {
             planes = std::move(others);
         } else {
             ++i;
@@ -138,36 +139,36 @@ std::vector<HalfSpace> without_idle(const std::vector<Sight>& sights, std::vecto
 
 }  // namespace
 
-double mean_misfit(const std::vector<Sight>& sights, const std::vector<HalfSpace>& planes) {
+double mean_misfit(const std::vector<SurroundingsSample>& samples, const std::vector<HalfSpace>& planes) {
     std::vector<double> shares;
-    for (const Sight& sight : sights)
-        shares.push_back(least_share(sight, planes));
+    for (const SurroundingsSample& sample : samples)
+        shares.push_back(least_share(sample, planes));
     return mean_log(shares);
 }
 
 std::vector<HalfSpace> fit_proxy_planes(const SceneData& scene, const Surroundings& around) {
-    const std::vector<Sight>& sights = around.sights;
+    const std::vector<SurroundingsSample>& samples = around.samples;
     const std::vector<HalfSpace> candidates = holding_starts(around, seen_planes(scene, around));
     std::vector<HalfSpace> planes = sides_of_scene(around);
     std::vector<double> shares;
-    for (const Sight& sight : sights)
-        shares.push_back(least_share(sight, planes));
+    for (const SurroundingsSample& sample : samples)
+        shares.push_back(least_share(sample, planes));
     double misfit = mean_log(shares);
     for (std::size_t added = 0; added < kMostAdded; ++added) {
         const HalfSpace* best = nullptr;
         double least = (1.0 - kWorth) * misfit;
         for (const HalfSpace& candidate : candidates) {
-            const double tried = mean_log(cut(shares, sights, candidate));
+            const double tried = mean_log(cut(shares, samples, candidate));
             if (tried >= least) continue;
             least = tried;
             best = &candidate;
         }
         if (!best) break;
         planes.push_back(*best);
-        shares = cut(std::move(shares), sights, *best);
+        shares = cut(std::move(shares), samples, *best);
         misfit = least;
     }
-    return without_idle(sights, std::move(planes));
+    return without_idle(samples, std::move(planes));
 }
 
 }  // namespace utsuri

@@ -12,7 +12,7 @@ namespace utsuri {
 /// Mean of |log(distance to the planes / distance to the scene)| over the directions in which something is
 /// met; 0 where nothing is.
 /// @param planes about the capture point; they enclose it
-double mean_misfit(const std::vector<Sight>& sights, const std::vector<HalfSpace>& planes);
+double mean_misfit(const std::vector<SurroundingsSample>& samples, const std::vector<HalfSpace>& planes);
 
 /// Planes of what the capture point sees that together have the least misfit found: from the bounds of the
 /// scene on, the plane that lowers it most is added, then the next, until another one hardly tells. All

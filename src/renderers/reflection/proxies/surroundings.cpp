@@ -85,14 +85,14 @@ std::vector<glm::dvec3> starts_on(const SceneData& scene, std::uint32_t instance
 
 }  // namespace
 
-Surroundings look_around(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point) {
+Surroundings sample_surroundings(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point) {
     // Two vertices that are meant to meet, each off by its own rounding, on either side of a plane.
     Surroundings around{point, scene.bounds, 4.0 * vertex_error(scene), {}, {}};
     for (const glm::dvec3& direction : view_directions(kDirections)) {
         const auto hit = closest_hit_reference(
             scene.bvh, point, direction, std::numeric_limits<double>::infinity(),
             [&](std::uint32_t triangle) { return scene.triangle_infos[triangle].instance != instance; });
-        if (hit) around.sights.push_back({direction, hit->t, hit->triangle});
+        if (hit) around.samples.push_back({direction, hit->t, hit->triangle});
     }
     around.starts = starts_on(scene, instance, point, around.tolerance);
     return around;

@@ -10,7 +10,7 @@
 
 namespace utsuri {
 
-struct Sight {
+struct SurroundingsSample {
     glm::dvec3 direction;  ///< unit
     double distance;
     std::uint32_t triangle;
@@ -20,13 +20,14 @@ struct Sight {
 struct Surroundings {
     glm::dvec3 point;
     Bounds scene;
-    double tolerance;           ///< by which rounding may part what is meant to be in one place
-    std::vector<Sight> sights;  ///< evenly spread; directions in which nothing is met are left out
+    double tolerance;  ///< by which rounding may part what is meant to be in one place
+    std::vector<SurroundingsSample>
+        samples;  ///< evenly spread; directions in which nothing is met are left out
     /// Places on the reflector, from the point, that nothing hides from it: there its rays start. What
     /// reaches through walls does not count; if all of it is hidden, all counts.
     std::vector<glm::dvec3> starts;
 };
 
-Surroundings look_around(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point);
+Surroundings sample_surroundings(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point);
 
 }  // namespace utsuri

@@ -25,7 +25,7 @@ std::uint32_t rows_of_bands(const Device& device, std::uint32_t width, std::uint
 
 }  // namespace
 
-Device& drawing_device(Device& device) {
+Device& require_graphics(Device& device) {
     if (!device.summary().draws) {
         throw DeviceError("draw the scene", device.summary().name,
                           "this device has no raster pipeline; use --reflection trace, or another device");

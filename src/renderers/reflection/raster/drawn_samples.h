@@ -16,7 +16,7 @@
 namespace utsuri {
 
 /// @throws DeviceError if the device has no raster pipeline
-Device& drawing_device(Device& device);
+Device& require_graphics(Device& device);
 
 /// What a drawn picture shows where nothing is: the surroundings.
 std::array<float, 4> background_of(const SceneData& data);

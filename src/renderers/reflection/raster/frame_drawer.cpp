@@ -18,7 +18,7 @@ FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const Specializa
 FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& list,
                          const Specialization& specialization, const Bindings& bindings,
                          const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height)
-    : device_(drawing_device(device)),
+    : device_(require_graphics(device)),
       reflectors_(reflectors),
       frame_(*bindings.at(interop::BINDING_FRAME)),
       background_(background_of(data)),
@@ -26,7 +26,7 @@ FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& 
       depth_(device, width, height, kDepthFormat, "depth of the drawn picture"),
       triangles_(make_buffer<std::uint32_t>(device, list.triangles, "draw list")),
       triangle_count_(static_cast<std::uint32_t>(list.triangles.size())),
-      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::ImagePush)),
+      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::ViewPush)),
       depth_bindings_(depth_pass_.bind(with_draw_list(bindings))),
       batches_(make_batches(list.batches, specialization, bindings)) {}
 
@@ -44,7 +44,7 @@ std::vector<FrameDrawer::Batch> FrameDrawer::make_batches(const std::vector<Draw
         constants[interop::SPEC_HAS_TEXTURES] = batch.features.textured ? 1 : 0;
         constants[interop::SPEC_HAS_GLOSSY] = batch.features.glossy ? 1 : 0;
         RasterPipeline pipeline(device_, "draw_scene", kernels::draw_scene_vert, kernels::draw_scene_frag,
-                                constants, sizeof(interop::ImagePush), DepthState{DepthTest::equal, 0.0f});
+                                constants, sizeof(interop::ViewPush), DepthState{DepthTest::equal, 0.0f});
         BindingSet set = pipeline.bind(with_draw_list(bindings));
         batches.push_back({std::move(pipeline), std::move(set), batch.first, batch.count});
     }
@@ -52,7 +52,7 @@ std::vector<FrameDrawer::Batch> FrameDrawer::make_batches(const std::vector<Draw
 }
 
 void FrameDrawer::warm_up() {
-    const interop::ImagePush nothing{};
+    const interop::ViewPush nothing{};
     device_.run("compile pipelines", [&](const vk::raii::CommandBuffer& commands) {
         draw_into(commands, colour_, depth_, background_, [&] {
             if (triangle_count_ > 0) depth_pass_.draw(commands, depth_bindings_, nothing, 0, 1);
@@ -66,7 +66,7 @@ void FrameDrawer::warm_up() {
 void FrameDrawer::record(const vk::raii::CommandBuffer& commands, const interop::CameraInfo& camera,
                          const interop::FrameInfo& frame) const {
     frame_.record_update(commands, std::as_bytes(std::span(&frame, 1)));
-    interop::ImagePush view{};
+    interop::ViewPush view{};
     view.camera = camera;
     draw_into(commands, colour_, depth_, background_, [&] {
         // Depth first: a pixel shades only what it shows.

@@ -52,7 +52,7 @@ PredictionDrawer::PredictionDrawer(Device& device, const SceneData& data, MapKin
       polygons_(make_buffer<std::uint32_t>(device, numbers_below(reflectors.polygon_count()),
                                            "polygons with errors")),
       polygon_count_(reflectors.polygon_count()),
-      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::ImagePush)),
+      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::ViewPush)),
       depth_bindings_(depth_pass_.bind([&] {
           Bindings all = bindings;
           all[interop::BINDING_DRAW_LIST] = &triangles_;
@@ -73,7 +73,7 @@ PredictionDrawer::Stage PredictionDrawer::make_stage(const char* name,
     constants[interop::SPEC_EXCLUDES_INSTANCE] = 1;
     bindings[interop::BINDING_DRAWN_POLYGONS] = &polygons_;
     RasterPipeline pipeline(device_, name, kernels::draw_curved_reflectors_vert, fragment, constants,
-                            sizeof(interop::ImagePush));
+                            sizeof(interop::ViewPush));
     BindingSet set = pipeline.bind(bindings);
     return {std::move(pipeline), std::move(set)};
 }
@@ -82,7 +82,7 @@ std::vector<glm::vec4> PredictionDrawer::draw(const Stage& stage, const interop:
                                               float tolerance) {
     interop::FrameInfo frame = info_;
     frame.tolerance = tolerance;
-    interop::ImagePush push{};
+    interop::ViewPush push{};
     push.camera = camera;
     device_.run("draw errors of reflections", [&](const vk::raii::CommandBuffer& commands) {
         frame_.record_update(commands, std::as_bytes(std::span(&frame, 1)));

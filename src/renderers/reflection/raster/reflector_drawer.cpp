@@ -139,7 +139,7 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
                      sizeof(interop::ReflectVerticesPush)),
       vertex_set_(vertex_kernel_.bind(with_polygons({}))),
       whole_(device, "draw_reflectors", whole_vertex(kind), whole_fragment(kind, tolerance),
-             specialise(specialization, kind, faces.size()), sizeof(interop::ImagePush), whole_depth(kind)),
+             specialise(specialization, kind, faces.size()), sizeof(interop::ViewPush), whole_depth(kind)),
       whole_set_(whole_.bind(with_polygons(bindings))) {
     for (Buffer* buffer : {&whole_pieces_, &cut_pieces_, &cut_corners_, &draw_arguments_})
         buffer->fill_with_zero();
@@ -178,7 +178,7 @@ Bindings ReflectorDrawer::with_polygons(Bindings others) const {
 
 ReflectorDrawer::DepthPass ReflectorDrawer::make_depth_pass(const Bindings& bindings) const {
     RasterPipeline pipeline(device_, "draw_reflector_depth", kernels::draw_reflector_depth_vert, {}, {},
-                            sizeof(interop::ImagePush));
+                            sizeof(interop::ViewPush));
     BindingSet set = pipeline.bind(with_polygons(bindings));
     return {std::move(pipeline), std::move(set)};
 }
@@ -207,9 +207,9 @@ ReflectorDrawer::Clipping ReflectorDrawer::make_clipping(const Specialization& s
     TwoRuns cut =
         make_two_runs("cut_polygons", kernels::cut_polygons, specialization, prefix_sum, cut_counts_, all);
     RasterPipeline draw_whole(device_, "draw_whole_pieces", kernels::draw_whole_pieces_vert,
-                              kernels::draw_reflector_frag, specialization, sizeof(interop::ImagePush));
+                              kernels::draw_reflector_frag, specialization, sizeof(interop::ViewPush));
     RasterPipeline draw_cut(device_, "draw_cut_pieces", kernels::draw_cut_pieces_vert,
-                            kernels::draw_reflector_frag, specialization, sizeof(interop::ImagePush));
+                            kernels::draw_reflector_frag, specialization, sizeof(interop::ViewPush));
     BindingSet draw_whole_set = draw_whole.bind(all);
     BindingSet draw_cut_set = draw_cut.bind(all);
     return {std::move(prefix_sum), std::move(sort),           std::move(cut),         std::move(draw_whole),
@@ -234,7 +234,7 @@ double ReflectorDrawer::set_eye(const interop::ReflectVerticesPush& eye) {
 }
 
 void ReflectorDrawer::warm_up(const vk::raii::CommandBuffer& commands) const {
-    const interop::ImagePush nothing{};
+    const interop::ViewPush nothing{};
     if (clipping_) {
         clipping_->draw_whole.draw(commands, clipping_->draw_whole_set, nothing, 0, 1);
         clipping_->draw_cut.draw(commands, clipping_->draw_cut_set, nothing, 0, 1);
@@ -243,7 +243,7 @@ void ReflectorDrawer::warm_up(const vk::raii::CommandBuffer& commands) const {
     whole_.draw(commands, whole_set_, nothing, 0, 1);
 }
 
-void ReflectorDrawer::draw(const vk::raii::CommandBuffer& commands, const interop::ImagePush& push) const {
+void ReflectorDrawer::draw(const vk::raii::CommandBuffer& commands, const interop::ViewPush& push) const {
     if (depth_) {
         depth_->pipeline.draw(commands, depth_->bindings, push, 0, clip_.polygons);
         return whole_.draw(commands, whole_set_, push, 0, clip_.polygons);

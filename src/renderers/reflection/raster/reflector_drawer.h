@@ -40,7 +40,7 @@ class ReflectorDrawer {
     void warm_up(const vk::raii::CommandBuffer& commands) const;
 
     /// Records the draws, inside draw_into(), after the depth of what is not reflective.
-    void draw(const vk::raii::CommandBuffer& commands, const interop::ImagePush& push) const;
+    void draw(const vk::raii::CommandBuffer& commands, const interop::ViewPush& push) const;
 
     [[nodiscard]] std::uint32_t polygon_count() const { return clip_.polygons; }
     /// Buffers of the polygons and what their vertices reflect, added to others.

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a pixel of a view shows of a curved mirror: what its maps hold.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "kernels/planar/mirrored_pixel.glsl"
+#include "kernels/raster/drawn_light.glsl"
+#include "kernels/raster/map_lookup.glsl"
+#include "lib/lobes/mirror.glsl"
+
+layout(location = 1) out vec4 drawn_throughput;
+
+void main() {
+    if (!waits_for_this_view()) discard;
+    vec3 wo = -normalize_any_scale(drawn_from_eye);
+    Surface surface;
+    vec3 radiance = drawn_light(wo, surface);
+    float state = complete_after(view.reflections);
+    if (is_specular(surface)) {
+        state = found_by(view.reflections, 0u);
+        radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
+                    mapped_radiance(surface, mirror_direction(surface, wo));
+    }
+    drawn = with_light(radiance, state);
+    drawn_throughput = vec4(0.0);
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a pixel of a view shows of a plane mirror whose own view is not drawn: the mirror's own light, and what a ray meets.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "kernels/hybrid/traced_reflection.glsl"
+#include "kernels/planar/mirrored_pixel.glsl"
+#include "kernels/raster/drawn_light.glsl"
+
+layout(location = 1) out vec4 drawn_throughput;
+
+void main() {
+    if (!waits_for_this_view()) discard;
+    vec3 wo = -normalize_any_scale(drawn_from_eye);
+    Surface surface;
+    vec3 radiance = drawn_light(wo, surface);
+    float state = complete_after(view.reflections);
+    if (is_specular(surface)) {
+        uint rays;
+        vec3 reflected = traced_radiance(surface, wo, view.reflections, rays);
+        radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) * reflected;
+        state = traced_at_plane_mirror(view.reflections, rays);
+    }
+    drawn = with_light(radiance, state);
+    drawn_throughput = vec4(0.0);
+}

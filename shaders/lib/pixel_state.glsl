@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a pixel of a drawn picture found what it shows, as its fourth channel keeps it.
+// Below zero, of images in plane mirrors: the number of reflections that it shows, and a half where they were cut short; or
+// the number of the image that it waits for, which is VIEW_OF_EYE or more.
+// From DRAWN_LOOKED_UP on, of what maps or rays told: one more for each reflection by images before, a half where the last
+// mirror was a plane one, and DRAWN_RAY for each ray.
+#ifndef UTSURI_LIB_IMAGE_STATE
+#define UTSURI_LIB_IMAGE_STATE
+
+#include "interop/raster.h"
+
+float complete_after(uint reflections) {
+    return -float(reflections);
+}
+
+float truncated_at(uint reflections) {
+    return -float(reflections) - 0.5;
+}
+
+float found_by(uint reflections, uint rays) {
+    return DRAWN_LOOKED_UP + float(reflections) + DRAWN_RAY * float(min(rays, DRAWN_MOST_RAYS));
+}
+
+float traced_at_plane_mirror(uint reflections, uint rays) {
+    return found_by(reflections, rays) + 0.5;
+}
+
+float waiting_for(uint number) {
+    return -float(number);
+}
+
+/// Specular directions that were resolved.
+uint reflections_of(float state) {
+    if (state >= DRAWN_LOOKED_UP) return uint(mod(state, DRAWN_RAY));
+    return state < 0.0 && state > -float(VIEW_OF_EYE) ? uint(-state) : 0u;
+}
+
+uint rays_of(float state) {
+    return state >= DRAWN_LOOKED_UP ? uint(state / DRAWN_RAY) : 0u;
+}
+
+bool is_truncated(float state) {
+    return state < 0.0 && fract(state) != 0.0;
+}
+
+#endif

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderers/reflection/planar/mirrored_view_drawer.h"
+
+#include "renderers/film/frame_camera.h"
+
+#include "interop/bindings.h"
+#include "interop/specialization.h"
+#include "kernels/draw_curved_vert.h"
+#include "kernels/draw_depth_vert.h"
+#include "kernels/draw_mirrored_curved_frag.h"
+#include "kernels/draw_mirrored_depth_frag.h"
+#include "kernels/draw_mirrored_depth_vert.h"
+#include "kernels/draw_mirrored_hybrid_frag.h"
+#include "kernels/draw_mirrored_mirror_frag.h"
+#include "kernels/draw_mirrored_scene_frag.h"
+#include "kernels/draw_mirrored_surroundings_frag.h"
+#include "kernels/draw_mirrored_traced_mirror_frag.h"
+#include "kernels/draw_predicted_curved_vert.h"
+#include "kernels/draw_scene_vert.h"
+#include "kernels/draw_surroundings_vert.h"
+
+#include <algorithm>
+
+namespace utsuri {
+namespace {
+
+Specialization with_features(Specialization specialization, const SurfaceFeatures& features) {
+    specialization[interop::SPEC_HAS_TEXTURES] = features.textured ? 1 : 0;
+    specialization[interop::SPEC_HAS_GLOSSY] = features.glossy ? 1 : 0;
+    return specialization;
+}
+
+/// Of what may be reflected: rays meet surfaces of all kinds.
+Specialization reflecting(const Specialization& specialization, const SurfaceFeatures& features,
+                          MapKind kind) {
+    return kind == MapKind::hybrid ? specialization : with_features(specialization, features);
+}
+
+Specialization with_faces(Specialization specialization, std::size_t faces) {
+    specialization[interop::SPEC_FACE_COUNT] = static_cast<std::uint32_t>(faces);
+    return specialization;
+}
+
+}  // namespace
+
+MirroredViewDrawer::MirroredViewDrawer(Device& device, const SceneData& data, const PlaneMirrors& mirrors,
+                                       const Reflectors& curved, MapKind kind,
+                                       const std::vector<interop::MapFace>& faces,
+                                       const Specialization& specialization, const Bindings& bindings)
+    : MirroredViewDrawer(device, data, list_mirrored_view_triangles(data, mirrors, curved), kind, faces,
+                         specialization, bindings) {}
+
+MirroredViewDrawer::MirroredViewDrawer(Device& device, const SceneData& data, MirroredViewTriangles triangles,
+                                       MapKind kind, const std::vector<interop::MapFace>& faces,
+                                       const Specialization& specialization, const Bindings& bindings)
+    : device_(device),
+      triangles_(std::move(triangles)),
+      list_(make_buffer<std::uint32_t>(device, triangles_.listed, "draw list")),
+      listed_reflectors_(
+          make_buffer<std::uint32_t>(device, triangles_.reflectors, "reflectors of the draw list")),
+      eye_depth_(make_pass("draw_depth", kernels::draw_depth_vert, {}, DepthTest::nearer, {}, bindings)) {
+    for (const DrawBatch& batch : triangles_.batches) {
+        batches_.push_back(
+            {make_pass("draw_mirrored_scene", kernels::draw_scene_vert, kernels::draw_mirrored_scene_frag,
+                       DepthTest::equal, with_features(specialization, batch.features), bindings),
+             {batch.first, batch.count}});
+    }
+    const bool traces = kind == MapKind::hybrid;
+    if (triangles_.curved.count > 0) {
+        using Stage = std::span<const std::uint32_t>;
+        const Stage vertex =
+            traces ? Stage(kernels::draw_predicted_curved_vert) : Stage(kernels::draw_curved_vert);
+        const Stage fragment =
+            traces ? Stage(kernels::draw_mirrored_hybrid_frag) : Stage(kernels::draw_mirrored_curved_frag);
+        curved_.emplace(
+            make_pass("draw_mirrored_curved", vertex, fragment, DepthTest::equal,
+                      with_faces(reflecting(specialization, triangles_.curved_features, kind), faces.size()),
+                      bindings));
+    }
+    if (triangles_.mirrors.empty()) return;
+    view_depth_.emplace(make_pass("draw_mirrored_depth", kernels::draw_mirrored_depth_vert,
+                                  kernels::draw_mirrored_depth_frag, DepthTest::nearer, {}, bindings));
+    mirrors_.emplace(make_pass("draw_mirrored_mirror", kernels::draw_scene_vert,
+                               kernels::draw_mirrored_mirror_frag, DepthTest::equal,
+                               with_features(specialization, triangles_.mirror_features), bindings));
+    if (traces) {
+        traced_mirrors_.emplace(make_pass("draw_mirrored_traced_mirror", kernels::draw_scene_vert,
+                                          kernels::draw_mirrored_traced_mirror_frag, DepthTest::equal,
+                                          specialization, bindings));
+    }
+    if (!data.requirements.environment) return;
+    surroundings_.emplace(make_pass("draw_mirrored_surroundings", kernels::draw_surroundings_vert,
+                                    kernels::draw_mirrored_surroundings_frag, DepthTest::equal,
+                                    specialization, bindings));
+}
+
+Bindings MirroredViewDrawer::all_bindings(Bindings bindings) const {
+    bindings.merge(Bindings{{interop::BINDING_DRAW_LIST, &list_},
+                            {interop::BINDING_LISTED_REFLECTORS, &listed_reflectors_}});
+    return bindings;
+}
+
+MirroredViewDrawer::Pass MirroredViewDrawer::make_pass(
+    const std::string& name, std::span<const std::uint32_t> vertex, std::span<const std::uint32_t> fragment,
+    const DepthTest depth, const Specialization& specialization, const Bindings& bindings) const {
+    // Depth is drawn first, so that a pixel shades only what it shows.
+    const bool writes_colour = depth == DepthTest::equal;
+    RasterPipeline pipeline(device_, name, vertex, fragment, specialization, sizeof(interop::ViewPush),
+                            {depth, 0.0f}, {kColours, writes_colour});
+    BindingSet set = pipeline.bind(all_bindings(bindings));
+    return {std::move(pipeline), std::move(set)};
+}
+
+void MirroredViewDrawer::warm_up(const vk::raii::CommandBuffer& commands) const {
+    if (triangles_.listed.empty()) return;
+    const interop::ViewPush nothing{};
+    eye_depth_.pipeline.draw(commands, eye_depth_.bindings, nothing, 0, 1);
+    for (const Batch& batch : batches_)
+        batch.pass.pipeline.draw(commands, batch.pass.bindings, nothing, batch.range.first, 1);
+    for (const std::optional<Pass>* pass :
+         {&curved_, &view_depth_, &mirrors_, &traced_mirrors_, &surroundings_}) {
+        if (*pass) (*pass)->pipeline.draw(commands, (*pass)->bindings, nothing, 0, 1);
+    }
+}
+
+void MirroredViewDrawer::draw(const vk::raii::CommandBuffer& commands, const std::vector<MirroredView>& views,
+                              std::uint32_t index, std::uint32_t max_depth) const {
+    const MirroredView& view = views[index];
+    limit_to(commands, view.window);
+    interop::ViewPush push{};
+    const PixelRect& picture = views.front().window;
+    push.camera = make_camera_info(view.eye, glm::dvec3(0.0), picture.width, picture.height);
+    push.normal = glm::vec3(view.normal);
+    push.offset = static_cast<float>(view.offset);
+    push.number = interop::VIEW_OF_EYE + index;
+    push.reflections = view.reflections;
+    draw_depth(commands, view, push);
+    for (const Batch& batch : batches_)
+        batch.pass.pipeline.draw(commands, batch.pass.bindings, push, batch.range.first, batch.range.count);
+    if (curved_)
+        curved_->pipeline.draw(commands, curved_->bindings, push, triangles_.curved.first,
+                               triangles_.curved.count);
+    draw_mirrors(commands, view, push, max_depth);
+    if (surroundings_ && view.mirror != interop::NONE)
+        surroundings_->pipeline.draw(commands, surroundings_->bindings, push, 0, 1);
+}
+
+void MirroredViewDrawer::draw_depth(const vk::raii::CommandBuffer& commands, const MirroredView& view,
+                                    const interop::ViewPush& push) const {
+    const Pass& pass = view.mirror == interop::NONE ? eye_depth_ : *view_depth_;
+    std::uint32_t first = 0;
+    for (const std::uint32_t unseen : view.unseen) {
+        const TriangleRange& range = triangles_.mirrors[unseen];
+        pass.pipeline.draw(commands, pass.bindings, push, first, range.first - first);
+        first = range.end();
+    }
+    const auto end = static_cast<std::uint32_t>(triangles_.listed.size());
+    pass.pipeline.draw(commands, pass.bindings, push, first, end - first);
+}
+
+void MirroredViewDrawer::draw_mirrors(const vk::raii::CommandBuffer& commands, const MirroredView& view,
+                                      interop::ViewPush push, std::uint32_t max_depth) const {
+    auto shown = view.shown.begin();
+    auto unseen = view.unseen.begin();
+    for (std::uint32_t mirror = 0; mirror < triangles_.mirrors.size(); ++mirror) {
+        if (unseen != view.unseen.end() && *unseen == mirror) {
+            ++unseen;
+            continue;
+        }
+        push.next = interop::VIEW_TRUNCATED;
+        if (shown != view.shown.end() && shown->mirror == mirror)
+            push.next = interop::VIEW_OF_EYE + (shown++)->view;
+        const bool is_traced =
+            traced_mirrors_ && push.next == interop::VIEW_TRUNCATED && view.reflections < max_depth;
+        const Pass& pass = is_traced ? *traced_mirrors_ : *mirrors_;
+        const TriangleRange& range = triangles_.mirrors[mirror];
+        pass.pipeline.draw(commands, pass.bindings, push, range.first, range.count);
+    }
+}
+
+}  // namespace utsuri
