@@ -8,6 +8,10 @@
 
 #include "glossy_lobes.h"
 #include "map_observer.h"
+<<<<<<< HEAD:tests/analytic/glossy_maps_test.cpp
+=======
+#include "picture_difference.h"
+>>>>>>> d3a211d (tests: rough surfaces are held against tracing of their roughness and its noise, not against what was measured):tests/analytic/rough_maps_test.cpp
 
 #include <glm/geometric.hpp>
 
@@ -200,20 +204,6 @@ TEST_F(GlossyMapping, InterpolatedVectorsOfAPlaneAreThoseOfItsPixels) {
         ASSERT_NEAR(polygon.pixels[i].x, cube.pixels[i].x, 1e-3f) << i;
 }
 
-/// Mean over the pixels of |picture - reference| over the reference's mean.
-double mean_difference(const Image& picture, const Image& reference) {
-    double difference = 0.0;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        for (int c = 0; c < 3; ++c) {
-            const double expected = static_cast<double>(reference.pixels[i][c]);
-            difference += std::abs(static_cast<double>(picture.pixels[i][c]) - expected);
-            sum += expected;
-        }
-    }
-    return difference / sum;
-}
-
 /// A room with a panel of light.
 Scene lit_room() {
     Scene scene;
@@ -230,43 +220,76 @@ Scene lit_room() {
 
 class GlossyBall : public DeviceTest {
   protected:
-    /// Adds a ball to a room, and tells how far it is off what is traced, by way to look it up.
-    static std::map<MapKind, double> differences(Scene room, float roughness,
-                                                 std::initializer_list<MapKind> kinds) {
+    struct Pictures {
+        TracedPicture traced;
+        std::map<MapKind, Image> drawn;
+
+        [[nodiscard]] double off(MapKind kind) const { return mean_difference(drawn.at(kind), traced.image); }
+    };
+    /// Of a ball added to a room.
+    static Pictures pictures(Scene room, float roughness, std::initializer_list<MapKind> kinds) {
         RenderSettings settings;
         settings.width = settings.height = 32;
         const Camera camera = look_at({0.0, 1.2, 1.9}, {0.0, 1.0, 0.0}, 0.4);
         add(room, icosphere({0.0f, 1.0f, 0.0f}, 0.3f, 4), rough_metal(roughness));
-        const Image traced = Observer(device(), room).picture(camera, settings, 1024);
-        std::map<MapKind, double> result;
+        Observer tracing(device(), room);
+        Pictures result{trace_twice(tracing, camera, settings, 512), {}};
         for (const MapKind kind : kinds) {
             MapObserver observer(device(), room, kind, map_settings(128));
-            result[kind] = mean_difference(observer.picture(camera, settings, 16), traced);
+            result.drawn[kind] = observer.picture(camera, settings, 16);
         }
         return result;
     }
 };
 
+<<<<<<< HEAD:tests/analytic/glossy_maps_test.cpp
 // Against direct/trace: what the round lobes of the split sum, the capture point in the middle of the ball
 // and noise cost. Measured at roughness 0.3, 0.5 and 0.8: 0.126, 0.182 and 0.168 with distances, 0.134, 0.191
 // and 0.178 with the box, 0.311, 0.265 and 0.213 without.
 TEST_F(GlossyBall, InARoomIsCloseToTracing) {
+=======
+// What the round lobes of the split sum and the capture point in the middle of the ball cost has no bound
+// that would tell anything. But the picture is one of this roughness: it is nearer to what is traced with it
+// than with another, whose lobes are wider or narrower and reflect another share. And it is the nearer the
+// more a method knows about where the light comes from: nothing, a box, distances.
+TEST_F(RoughBall, InARoomIsCloserToTracingOfItsRoughnessTheMoreIsKnown) {
+    std::map<float, Pictures> by_roughness;
+>>>>>>> d3a211d (tests: rough surfaces are held against tracing of their roughness and its noise, not against what was measured):tests/analytic/rough_maps_test.cpp
     for (const float roughness : {0.3f, 0.5f, 0.8f}) {
-        auto off = differences(lit_room(), roughness, {MapKind::cube, MapKind::proxy, MapKind::distance});
-        EXPECT_LE(off[MapKind::proxy], 0.22) << "roughness " << roughness;
-        EXPECT_LT(off[MapKind::proxy], off[MapKind::cube]) << "roughness " << roughness;
-        EXPECT_LT(off[MapKind::distance], off[MapKind::proxy]) << "roughness " << roughness;
+        by_roughness.emplace(
+            roughness, pictures(lit_room(), roughness, {MapKind::cube, MapKind::proxy, MapKind::distance}));
+    }
+    for (const auto& [roughness, own] : by_roughness) {
+        SCOPED_TRACE(testing::Message() << "roughness " << roughness);
+        EXPECT_LT(own.off(MapKind::proxy), own.off(MapKind::cube));
+        EXPECT_LT(own.off(MapKind::distance), own.off(MapKind::proxy));
+        for (const auto& [other_roughness, other] : by_roughness) {
+            if (other_roughness == roughness) continue;
+            for (const MapKind kind : {MapKind::proxy, MapKind::distance}) {
+                EXPECT_LT(own.off(kind) + own.traced.noise,
+                          mean_difference(own.drawn.at(kind), other.traced.image) - other.traced.noise)
+                    << "kind of map " << static_cast<int>(kind) << ", traced with roughness "
+                    << other_roughness;
+            }
+        }
     }
 }
 
+<<<<<<< HEAD:tests/analytic/glossy_maps_test.cpp
 // A cabinet a hand's breadth from the ball is no wall of a box. Measured at roughness 0.15 and 0.3: 0.044 and
 // 0.138, with the box 0.083 and 0.159.
 TEST_F(GlossyBall, NearACabinetIsCloserToTracingByDistancesThanByABox) {
+=======
+// A cabinet a hand's breadth from the ball is no wall of a box.
+TEST_F(RoughBall, NearACabinetIsCloserToTracingByDistancesThanByABox) {
+>>>>>>> d3a211d (tests: rough surfaces are held against tracing of their roughness and its noise, not against what was measured):tests/analytic/rough_maps_test.cpp
     for (const float roughness : {0.15f, 0.3f}) {
         Scene scene = lit_room();
         add(scene, block({0.4f, 0, -0.6f}, {1.0f, 1.8f, 0.8f}), lambert({0.1f, 0.2f, 0.9f}));
-        auto off = differences(scene, roughness, {MapKind::proxy, MapKind::distance});
-        EXPECT_LE(off[MapKind::distance], 0.9 * off[MapKind::proxy]) << "roughness " << roughness;
+        const Pictures seen = pictures(scene, roughness, {MapKind::proxy, MapKind::distance});
+        EXPECT_LT(seen.off(MapKind::distance) + seen.traced.noise,
+                  seen.off(MapKind::proxy) - seen.traced.noise)
+            << "roughness " << roughness;
     }
 }
 

@@ -5,6 +5,10 @@
 
 #include "glossy_lobes.h"
 #include "map_observer.h"
+<<<<<<< HEAD:tests/analytic/glossy_probes_test.cpp
+=======
+#include "picture_difference.h"
+>>>>>>> d3a211d (tests: rough surfaces are held against tracing of their roughness and its noise, not against what was measured):tests/analytic/rough_probes_test.cpp
 
 #include <glm/geometric.hpp>
 
@@ -17,17 +21,6 @@ MapSettings from_points(std::uint32_t most) {
     MapSettings settings = map_settings(64);
     settings.most_probes = most;
     return settings;
-}
-
-/// Mean over the pixels of |picture - reference| over the reference's mean.
-double mean_difference(const Image& picture, const Image& reference) {
-    double difference = 0.0;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        difference += static_cast<double>(std::abs(picture.pixels[i].x - reference.pixels[i].x));
-        sum += static_cast<double>(reference.pixels[i].x);
-    }
-    return difference / sum;
 }
 
 /// A floor of rough metal, 2 m wide, with a wall that shines on one side of a screen.
@@ -61,26 +54,29 @@ Scene parted_room(float roughness) {
 
 class PartedRoom : public DeviceTest {
   protected:
-    template <typename AnyObserver>
-    static Image picture(AnyObserver& observer, std::uint32_t samples) {
-        RenderSettings settings;
-        settings.width = 48;
-        settings.height = 32;
-        return observer.picture(look_at({-1.2, 1.8, 1.9}, {0.6, 0, -0.6}, 1.0), settings, samples);
+    static RenderSettings settings() {
+        RenderSettings result;
+        result.width = 48;
+        result.height = 32;
+        return result;
     }
+    static Camera eye() { return look_at({-1.2, 1.8, 1.9}, {0.6, 0, -0.6}, 1.0); }
 };
 
-// Measured: at a roughness of 0.3, 0.49 to 0.25 of the mean without a proxy, 0.20 to 0.08 with boxes; at 0.6,
-// where the lobes blur more than the points differ, 0.31 to 0.15 and 0.17 to 0.16.
+// From one point, on one side of the screen, the floor shows on both sides what is on that one. Four points
+// are taken only because each is predicted to lower the mean error; if lobes then took the wrong ones, or all
+// alike, the floor would be as wrong as before. Noise of the traced picture may hide no more than itself on
+// either side.
 TEST_F(PartedRoom, IsCloserToTracingFromFourPointsThanFromOne) {
     Observer tracing(device(), parted_room(0.3f));
-    const Image traced = picture(tracing, 256);
+    const TracedPicture traced = trace_twice(tracing, eye(), settings(), 128);
     for (const MapKind kind : {MapKind::cube, MapKind::proxy}) {
         const auto difference = [&](std::uint32_t most) {
             MapObserver observer(device(), parted_room(0.3f), kind, from_points(most));
-            return mean_difference(picture(observer, 4), traced);
+            return mean_difference(observer.picture(eye(), settings(), 4), traced.image);
         };
-        EXPECT_LE(difference(4), 0.6 * difference(1)) << "kind of map " << static_cast<int>(kind);
+        EXPECT_LT(difference(4) + traced.noise, difference(1) - traced.noise)
+            << "kind of map " << static_cast<int>(kind);
     }
 }
 
@@ -88,7 +84,7 @@ TEST_F(PartedRoom, IsCloserToTracingFromFourPointsThanFromOne) {
 TEST_F(PartedRoom, IsSeenFromOnePointByDistances) {
     const auto pixels = [&](std::uint32_t most) {
         MapObserver observer(device(), parted_room(0.3f), MapKind::distance, from_points(most));
-        return picture(observer, 1).pixels;
+        return observer.picture(eye(), settings(), 1).pixels;
     };
     EXPECT_EQ(pixels(4), pixels(1));
 }
