@@ -8,10 +8,7 @@
 
 #include "glossy_lobes.h"
 #include "map_observer.h"
-<<<<<<< HEAD:tests/analytic/glossy_maps_test.cpp
-=======
 #include "picture_difference.h"
->>>>>>> d3a211d (tests: rough surfaces are held against tracing of their roughness and its noise, not against what was measured):tests/analytic/rough_maps_test.cpp
 
 #include <glm/geometric.hpp>
 
@@ -81,8 +78,8 @@ TEST_F(GlossyMapping, AHalfSpaceMatchesQuadrature) {
     }
 }
 
-// A light of 5 degrees, 1000 times as bright as the widest lobe makes it: its light is spread, not lost, and
-// no texel is lit by chance.
+// A light of 5 degrees, 1000 times as bright as the widest lobe makes it: its light is spread, not lost,
+// and no texel is lit by chance.
 TEST_F(GlossyMapping, ASmallBrightLightMatchesQuadrature) {
     constexpr float kRadiance = 1000.0f;
     constexpr double kHalf = 0.05;
@@ -95,7 +92,8 @@ TEST_F(GlossyMapping, ASmallBrightLightMatchesQuadrature) {
             mean_over_lobe(glm::normalize(glm::dvec3(0.2, 1.0, 0.1)), alpha, [](const glm::dvec3& l) {
                 return l.y > 0.0 && std::abs(l.x / l.y - 0.2) < kHalf && std::abs(l.z / l.y - 0.1) < kHalf;
             });
-        // By the midpoint rule over the light, which is small; its share at the peak tells the whole lobe.
+        // By the midpoint rule over the light, which is small; its share at the peak tells the whole
+        // lobe.
         const auto light_of = [&](const glm::dvec3& n) {
             double sum = 0.0;
             constexpr int kSteps = 8;
@@ -242,19 +240,12 @@ class GlossyBall : public DeviceTest {
     }
 };
 
-<<<<<<< HEAD:tests/analytic/glossy_maps_test.cpp
-// Against direct/trace: what the round lobes of the split sum, the capture point in the middle of the ball
-// and noise cost. Measured at roughness 0.3, 0.5 and 0.8: 0.126, 0.182 and 0.168 with distances, 0.134, 0.191
-// and 0.178 with the box, 0.311, 0.265 and 0.213 without.
-TEST_F(GlossyBall, InARoomIsCloseToTracing) {
-=======
 // What the round lobes of the split sum and the capture point in the middle of the ball cost has no bound
-// that would tell anything. But the picture is one of this roughness: it is nearer to what is traced with it
-// than with another, whose lobes are wider or narrower and reflect another share. And it is the nearer the
-// more a method knows about where the light comes from: nothing, a box, distances.
-TEST_F(RoughBall, InARoomIsCloserToTracingOfItsRoughnessTheMoreIsKnown) {
+// that would tell anything. But the picture is one of this roughness: it is nearer to what is traced with
+// it than with another, whose lobes are wider or narrower and reflect another share. And it is the nearer
+// the more a method knows about where the light comes from: nothing, a box, distances.
+TEST_F(GlossyBall, InARoomIsCloserToTracingOfItsRoughnessTheMoreIsKnown) {
     std::map<float, Pictures> by_roughness;
->>>>>>> d3a211d (tests: rough surfaces are held against tracing of their roughness and its noise, not against what was measured):tests/analytic/rough_maps_test.cpp
     for (const float roughness : {0.3f, 0.5f, 0.8f}) {
         by_roughness.emplace(
             roughness, pictures(lit_room(), roughness, {MapKind::cube, MapKind::proxy, MapKind::distance}));
@@ -275,14 +266,8 @@ TEST_F(RoughBall, InARoomIsCloserToTracingOfItsRoughnessTheMoreIsKnown) {
     }
 }
 
-<<<<<<< HEAD:tests/analytic/glossy_maps_test.cpp
-// A cabinet a hand's breadth from the ball is no wall of a box. Measured at roughness 0.15 and 0.3: 0.044 and
-// 0.138, with the box 0.083 and 0.159.
-TEST_F(GlossyBall, NearACabinetIsCloserToTracingByDistancesThanByABox) {
-=======
 // A cabinet a hand's breadth from the ball is no wall of a box.
-TEST_F(RoughBall, NearACabinetIsCloserToTracingByDistancesThanByABox) {
->>>>>>> d3a211d (tests: rough surfaces are held against tracing of their roughness and its noise, not against what was measured):tests/analytic/rough_maps_test.cpp
+TEST_F(GlossyBall, NearACabinetIsCloserToTracingByDistancesThanByABox) {
     for (const float roughness : {0.15f, 0.3f}) {
         Scene scene = lit_room();
         add(scene, block({0.4f, 0, -0.6f}, {1.0f, 1.8f, 0.8f}), lambert({0.1f, 0.2f, 0.9f}));

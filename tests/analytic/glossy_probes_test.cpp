@@ -5,10 +5,7 @@
 
 #include "glossy_lobes.h"
 #include "map_observer.h"
-<<<<<<< HEAD:tests/analytic/glossy_probes_test.cpp
-=======
 #include "picture_difference.h"
->>>>>>> d3a211d (tests: rough surfaces are held against tracing of their roughness and its noise, not against what was measured):tests/analytic/rough_probes_test.cpp
 
 #include <glm/geometric.hpp>
 
@@ -63,10 +60,10 @@ class PartedRoom : public DeviceTest {
     static Camera eye() { return look_at({-1.2, 1.8, 1.9}, {0.6, 0, -0.6}, 1.0); }
 };
 
-// From one point, on one side of the screen, the floor shows on both sides what is on that one. Four points
-// are taken only because each is predicted to lower the mean error; if lobes then took the wrong ones, or all
-// alike, the floor would be as wrong as before. Noise of the traced picture may hide no more than itself on
-// either side.
+// From one point, on one side of the screen, the floor shows on both sides what is on that one. Four
+// points are taken only because each is predicted to lower the mean error; if lobes then took the wrong
+// ones, or all alike, the floor would be as wrong as before. Noise of the traced picture may hide no more
+// than itself on either side.
 TEST_F(PartedRoom, IsCloserToTracingFromFourPointsThanFromOne) {
     Observer tracing(device(), parted_room(0.3f));
     const TracedPicture traced = trace_twice(tracing, eye(), settings(), 128);
@@ -89,9 +86,10 @@ TEST_F(PartedRoom, IsSeenFromOnePointByDistances) {
     EXPECT_EQ(pixels(4), pixels(1));
 }
 
-// From one pixel to the next a lobe passes each capture point nearer or farther by a pixel at most, so the
-// weight of one over the nearest changes by two pixels over the width of the blend, and so does its share.
-// Picked one at a time, capture points on both sides of the screen would jump by all that they differ.
+// From one pixel to the next a lobe passes each capture point nearer or farther by a pixel at most, so
+// the weight of one over the nearest changes by two pixels over the width of the blend, and so does its
+// share. Picked one at a time, capture points on both sides of the screen would jump by all that they
+// differ.
 TEST_F(GlossyProbes, NeighbouringPixelsDifferByNoMoreThanTheWeightsMayChange) {
     constexpr std::uint32_t kEdge = 64;
     const Scene scene = screened_floor();
@@ -112,8 +110,8 @@ TEST_F(GlossyProbes, NeighbouringPixelsDifferByNoMoreThanTheWeightsMayChange) {
             range = std::max(range, here);
         }
     }
-    // The eye turns by a pixel, too, over which a lobe of width alpha changes by no more than its share of
-    // that.
+    // The eye turns by a pixel, too, over which a lobe of width alpha changes by no more than its share
+    // of that.
     const double turn = 0.2 / kEdge / (0.7 * 0.7);
     EXPECT_LE(most, range * (2.0 * pixel / static_cast<double>(plan.infos[0].blend_width) + turn));
 }

@@ -101,7 +101,7 @@ TEST(MirrorImages, ShowOnlyWhatIsInFrontOfTheirMirror) {
         EXPECT_EQ(images[i].reflections, i);
         EXPECT_EQ(images[i].mirror, (i + 1) % 2);
         ASSERT_EQ(images[i - 1].shown.size(), 1u);
-        EXPECT_EQ(images[i - 1].shown.front().image, i);
+        EXPECT_EQ(images[i - 1].shown.front().view, i);
         // Unfolded, the mirrors stand 6 m apart.
         EXPECT_NEAR(glm::length(images[i].eye.position - glm::dvec3(0, 0, (i % 2 == 0 ? -1 : 1) * 4.0)),
                     i % 2 == 0 ? 6.0 * i + 8.0 : 6.0 * (i - 1) + 8.0, 1e-9);

@@ -14,7 +14,7 @@
 namespace utsuri {
 
 /// An view that shows in a mirror.
-struct ShownImage {
+struct ShownView {
     std::uint32_t mirror;
     std::uint32_t view;
 };
@@ -26,8 +26,8 @@ struct MirroredView {
     std::uint32_t reflections = 0;
     glm::dvec3 normal{0.0};  ///< what is at dot(normal, x) > offset shows in the last mirror
     double offset = 0.0;
-    PixelRect window;               ///< pixels that the last mirror can cover, seen in those before it
-    std::vector<ShownImage> shown;  ///< in mirrors that are seen in this view; mirrors ascending
+    PixelRect window;              ///< pixels that the last mirror can cover, seen in those before it
+    std::vector<ShownView> shown;  ///< in mirrors that are seen in this view; mirrors ascending
     /// Mirrors that are not drawn, ascending: the last one, which does not see itself, and those that the eye
     /// sees from within their plane, as a line.
     std::vector<std::uint32_t> unseen;
