@@ -17,7 +17,7 @@ struct FrameInfo {
     float tolerance;  ///< predicted error up to which maps are looked up: pixels, or share of the radiance
 };
 
-/// The fourth channel of a drawn picture tells how a pixel's reflection was found: see lib/image_state.glsl.
+/// The fourth channel of a drawn picture tells how a pixel's reflection was found: see lib/pixel_state.glsl.
 INTEROP_FLOAT_CONSTANT DRAWN_PLAIN = 0.0f;      ///< there is none
 INTEROP_FLOAT_CONSTANT DRAWN_LOOKED_UP = 1.0f;  ///< in a map
 INTEROP_FLOAT_CONSTANT DRAWN_RAY = 1024.0f;     ///< or more: by so many rays times this

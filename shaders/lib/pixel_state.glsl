@@ -4,8 +4,8 @@
 // the number of the image that it waits for, which is VIEW_OF_EYE or more.
 // From DRAWN_LOOKED_UP on, of what maps or rays told: one more for each reflection by images before, a half where the last
 // mirror was a plane one, and DRAWN_RAY for each ray.
-#ifndef UTSURI_LIB_IMAGE_STATE
-#define UTSURI_LIB_IMAGE_STATE
+#ifndef UTSURI_LIB_PIXEL_STATE
+#define UTSURI_LIB_PIXEL_STATE
 
 #include "interop/raster.h"
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/picture.h"
 
+#include "base/error.h"
+
 #include "session/session_state.h"
+
+#include <fmt/format.h>
 
 namespace utsuri {
 
@@ -49,7 +53,13 @@ void Picture::add_samples(std::uint32_t count, Progress& progress) {
     if (!state_->film) {
         state_->film.emplace(session_->device, settings.render.width, settings.render.height, settings.title);
     }
-    ready.add_samples(*state_->film, count, progress);
+    try {
+        ready.add_samples(*state_->film, count, progress);
+    } catch (...) {
+        // Some pixels may have a sample that others lack.
+        state_->film->clear();
+        throw;
+    }
 }
 
 void Picture::add_samples(std::uint32_t count) {
@@ -59,7 +69,12 @@ void Picture::add_samples(std::uint32_t count) {
 
 void Picture::set_camera(const Camera& camera) {
     state_->settings.camera = camera;
-    if (state_->renderer) state_->renderer->set_camera(camera);
+    if (state_->is_prepared) {
+        state_->renderer->set_camera(camera);
+    } else {
+        // What is planned for the first view is planned anew.
+        state_->renderer.reset();
+    }
     clear();
 }
 
@@ -82,7 +97,11 @@ Image Picture::half_image(std::uint32_t half) const {
 }
 
 NoiseEstimate Picture::noise() const {
-    return state_->film ? state_->film->estimate_noise() : NoiseEstimate();
+    if (samples() < 2 || samples() % 2 != 0) {
+        throw UsageError("estimate noise", fmt::format("of {} samples", samples()),
+                         "needs an even number of samples, at least 2");
+    }
+    return state_->film->estimate_noise();
 }
 
 const RenderStatistics& Picture::statistics() const {

@@ -29,7 +29,8 @@ struct PictureSettings {
 
 /// A view of a session's scene by one method, rendered sample by sample. It follows the scene: after
 /// Session::set_scene() it holds no samples, and the next ones are of the scene as it is. It keeps alive what
-/// it needs of its session. Move-only.
+/// it needs of its session. Move-only;
+/// one that was moved from may only be assigned to or destroyed.
 class Picture {
   public:
     Picture(Picture&& other) noexcept;
@@ -53,12 +54,12 @@ class Picture {
     [[nodiscard]] Image image() const;
     /// Mean over every other sample: Film::resolve_half().
     [[nodiscard]] Image half_image(std::uint32_t half) const;
-    /// Needs an even number of samples, at least 2.
+    /// @throws UsageError unless the number of samples is even and at least 2
     [[nodiscard]] NoiseEstimate noise() const;
     /// Since the picture was made, or since the scene last changed.
     [[nodiscard]] const RenderStatistics& statistics() const;
 
-    /// See Renderer.
+    /// See Renderer. Predictions take MapSettings::predicts_errors, where the method keeps no distances.
     bool draw_frame();
     [[nodiscard]] std::vector<PredictedError> predict_errors();
     [[nodiscard]] std::vector<MeasuredError> measure_errors();

@@ -8,6 +8,8 @@
 
 #include "session/session_state.h"
 
+#include <fmt/format.h>
+
 namespace utsuri {
 
 PreparedScene& SessionState::needed_scene() {
@@ -42,8 +44,25 @@ void SessionState::drop_derived() {
     if (scene) scene->lights.clear();
 }
 
+namespace {
+
+const LightSettings& checked(const LightSettings& light) {
+    if (!(light.spacing > 0.0) || light.samples < 1 || light.samples > kMostLightSamples ||
+        light.points_per_dispatch < 1) {
+        throw UsageError(
+            "keep light on surfaces",
+            fmt::format("{} samples at points {:g} apart", light.samples, light.spacing),
+            fmt::format("samples may be 1 to {}, points more than 0 apart, and at least one of them "
+                        "in a dispatch",
+                        kMostLightSamples));
+    }
+    return light;
+}
+
+}  // namespace
+
 Session::Session(const SessionSettings& settings)
-    : state_(std::make_shared<SessionState>(settings.validation, settings.device, settings.light)) {}
+    : state_(std::make_shared<SessionState>(settings.validation, settings.device, checked(settings.light))) {}
 
 Session::Session(Session&& other) noexcept = default;
 Session& Session::operator=(Session&& other) noexcept = default;
@@ -51,19 +70,24 @@ Session::~Session() = default;
 
 namespace {
 
-/// Has lights and pictures take over a change; anything that fails half way is made anew.
-void take_over(SessionState& state, const SceneChange& change, Progress& progress) {
+/// Has a picture take over a change. One that cannot is made anew when it is next used, and tells why then.
+void update_picture(PictureState& picture, const SceneChange& change, Progress& progress) {
+    if (!picture.is_prepared) return picture.drop();
+    try {
+        picture.renderer->update(change, progress);
+    } catch (const Error&) {
+        return picture.drop();
+    }
+    if (picture.film) picture.film->clear();
+}
+
+/// Has lights and pictures take over a change; if that ends half way, all of them are made anew.
+void update_all(SessionState& state, const SceneChange& change, Progress& progress) {
     try {
         for (auto& [method, light] : state.scene->lights)
             light.update(change, progress);
-        for (const std::shared_ptr<PictureState>& picture : state.live_pictures()) {
-            if (picture->is_prepared) {
-                picture->renderer->update(change, progress);
-            } else {
-                picture->renderer.reset();
-            }
-            if (picture->film) picture->film->clear();
-        }
+        for (const std::shared_ptr<PictureState>& picture : state.live_pictures())
+            update_picture(*picture, change, progress);
     } catch (...) {
         state.drop_derived();
         throw;
@@ -91,7 +115,7 @@ SceneUpdate Session::set_scene(const Scene& scene, Progress& progress) {
         return SceneUpdate::rebuilt;
     }
     if (change.empty()) return SceneUpdate::unchanged;
-    take_over(*state_, change, progress);
+    update_all(*state_, change, progress);
     return SceneUpdate::updated;
 }
 
@@ -102,6 +126,7 @@ SceneUpdate Session::set_scene(const Scene& scene) {
 
 Picture Session::make_picture(const PictureSettings& settings) {
     Picture picture(state_, settings);
+    static_cast<void>(state_->live_pictures());  // forgets those that are gone
     state_->pictures.push_back(picture.state_);
     return picture;
 }

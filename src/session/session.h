@@ -32,7 +32,7 @@ enum class SceneUpdate {
 };
 
 /// A device and a scene on it, pictures of which are rendered by any method: the library's front door. One
-/// thread at a time.
+/// thread at a time. One that was moved from may only be assigned to or destroyed.
 ///
 ///     Session session;
 ///     session.set_scene(scene);

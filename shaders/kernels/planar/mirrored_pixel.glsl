@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A pixel of the view that is drawn: whether it waits for this view, what it shows so far, and what it will show.
-#ifndef UTSURI_KERNELS_PLANAR_IMAGE_PIXEL
-#define UTSURI_KERNELS_PLANAR_IMAGE_PIXEL
+#ifndef UTSURI_KERNELS_PLANAR_MIRRORED_PIXEL
+#define UTSURI_KERNELS_PLANAR_MIRRORED_PIXEL
 
 #include "kernels/raster/view.glsl"
 #include "lib/pixel_state.glsl"

@@ -22,7 +22,7 @@ vec3 follow_chain(Ray ray, uint first_depth, uint max_depth, uint key, uint inde
     for (uint depth = first_depth;; ++depth) {
         totals.rays += 1u;
         Hit hit = closest_hit(ray);
-        float weight = HAS_GLOSSY && by_lobe ? lobe_weight(lobe, left, hit) : 1.0;
+        float weight = HAS_GLOSSY && by_lobe ? mis_weight(lobe, left, hit) : 1.0;
         if (hit.triangle == NONE) {
             if (HAS_ENVIRONMENT) radiance += weight * throughput * lights[ENVIRONMENT_LIGHT].intensity;
             break;
@@ -36,7 +36,8 @@ vec3 follow_chain(Ray ray, uint first_depth, uint max_depth, uint key, uint inde
         radiance += throughput * surface_light(surface, hit, wo, key, index, dimension, ray.excluded_instance, totals.rays);
         by_lobe = has_lobe(surface, LOBE_GLOSSY);
         if (!by_lobe && !has_lobe(surface, LOBE_MIRROR)) break;
-        lobe = by_lobe ? sample_glossy(surface, wo, sample_2d(key, index, dimension + 2u)) : sample_mirror(surface, wo);
+        vec2 u = by_lobe ? sample_2d(key, index, dimension + 2u) : vec2(0.0);
+        lobe = sample_lobe(surface, by_lobe ? LOBE_GLOSSY : LOBE_MIRROR, wo, u);
         throughput *= lobe.throughput;
         if (by_lobe && throughput == vec3(0.0)) break;
         left = receiver_of(surface);

@@ -11,7 +11,6 @@
 const uint LOBE_DIFFUSE = 0u;
 const uint LOBE_GLOSSY = 1u;
 const uint LOBE_MIRROR = 2u;
-const uint LOBE_COUNT = 3u;
 
 bool has_lobe(Surface surface, uint lobe) {
     if (lobe == LOBE_DIFFUSE) return is_diffuse(surface);

@@ -39,13 +39,9 @@ FilmKernel::FilmKernel(Device& device, const std::string& name, std::span<const 
     : device_(&device),
       kernel_(device, name, spirv, specialization, sizeof(interop::FramePush)),
       bindings_(std::move(bindings)),
-      counters_(std::make_unique<Buffer>(device, sizeof(interop::Counters), name + " counters")) {
-    bindings_[interop::BINDING_COUNTERS] = counters_.get();
+      counters_(device, sizeof(interop::Counters), name + " counters") {
+    bindings_[interop::BINDING_COUNTERS] = &counters_;
 }
-
-FilmKernel::FilmKernel(FilmKernel&& other) noexcept = default;
-FilmKernel& FilmKernel::operator=(FilmKernel&& other) noexcept = default;
-FilmKernel::~FilmKernel() = default;
 
 double FilmKernel::warm_up(Film& film) {
     const auto start = std::chrono::steady_clock::now();
@@ -107,12 +103,12 @@ void FilmKernel::add_band(const Film& film, const Film::Band& band, const Bindin
         const std::uint32_t now = static_cast<std::uint32_t>(
             std::min<std::uint64_t>({tiles - done, fitting, std::uint64_t{kMaxGroups}}));
         push.first_tile = done;
-        counters_->fill_with_zero();
+        counters_.fill_with_zero();
         const double seconds = device_->run("render", [&](const vk::raii::CommandBuffer& commands) {
             kernel_.dispatch(commands, bindings, push, now);
         });
         budget_.record(std::uint64_t{now} * samples, seconds);
-        const auto totals = counters_->download_records<interop::Counters>(1).front();
+        const auto totals = counters_.download_records<interop::Counters>(1).front();
         if (totals.incomplete > 0) {
             throw DeviceError(
                 "render", device_->summary().name,

@@ -9,7 +9,6 @@
 #include "gpu/kernel.h"
 
 #include <cstdint>
-#include <memory>
 #include <span>
 
 namespace utsuri {
@@ -28,9 +27,8 @@ class FilmKernel {
   public:
     FilmKernel(Device& device, const std::string& name, std::span<const std::uint32_t> spirv,
                const Specialization& specialization, Bindings bindings);
-    FilmKernel(FilmKernel&& other) noexcept;
-    FilmKernel& operator=(FilmKernel&& other) noexcept;
-    ~FilmKernel();
+    FilmKernel(const FilmKernel&) = delete;
+    FilmKernel& operator=(const FilmKernel&) = delete;
 
     /// Compiles the pipeline for real (drivers put that off until the first dispatch), without adding
     /// samples.
@@ -51,7 +49,7 @@ class FilmKernel {
     Device* device_;
     Kernel kernel_;
     Bindings bindings_;
-    std::unique_ptr<Buffer> counters_;  ///< at one place, whose address bindings_ keep
+    Buffer counters_;
     DispatchBudget budget_;
 };
 

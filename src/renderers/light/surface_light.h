@@ -43,8 +43,8 @@ class SurfaceLight {
 
     /// Of the last fill() or update() that simulated light.
     [[nodiscard]] const LightCost& cost() const { return cost_; }
-    /// Triangles that send out other light since the last change of the scene that concerned light;
-    /// ascending.
+    /// Triangles that send out other light since the last change of the scene that concerned light, all of
+    /// them if nothing was there before; ascending.
     [[nodiscard]] const std::vector<std::uint32_t>& changed() const { return changed_; }
 
   protected:

@@ -3,7 +3,7 @@
 
 #include "renderers/film/frame_camera.h"
 
-#include "base/check.h"
+#include "base/error.h"
 
 namespace utsuri {
 namespace {
@@ -64,7 +64,10 @@ void MappedView::record(const vk::raii::CommandBuffer& commands, const interop::
 }
 
 PredictionDrawer& MappedView::prediction_drawer() {
-    UTSURI_CHECK(maps_.has_distances());
+    if (!maps_.has_distances()) {
+        throw UsageError("predict errors", "of a method that keeps no distances",
+                         "set MapSettings::predicts_errors before it is prepared");
+    }
     prepare_view();
     if (!prediction_drawer_) {
         prediction_drawer_.emplace(device_, data_, kind_, maps_.maps().faces().size(), maps_.specialization(),

@@ -25,7 +25,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 /// right.
 constexpr std::uint64_t kTrianglesPerRay = 8;
 
-/// Whether the eye sees a plane mirror at a pixel, by the state that lib/image_state.glsl describes.
+/// Whether the eye sees a plane mirror at a pixel, by the state that lib/pixel_state.glsl describes.
 bool shows_plane_mirror(float state) {
     return state < 0.0f || std::fmod(state, interop::DRAWN_RAY) >= interop::DRAWN_LOOKED_UP + 0.5f;
 }

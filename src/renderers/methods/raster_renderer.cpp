@@ -5,6 +5,8 @@
 #include "renderers/methods/planar_view.h"
 #include "renderers/reflection/raster/picture_pixels.h"
 
+#include "base/check.h"
+
 #include "interop/bindings.h"
 
 #include <algorithm>
@@ -85,7 +87,7 @@ void RasterRenderer::update(const SceneChange& change, Progress& progress) {
 }
 
 void RasterRenderer::capture_first_view(Progress& progress) {
-    if (statistics_.maps == 0) return;
+    if (maps_->maps().map_count() == 0) return;
     const auto start = std::chrono::steady_clock::now();
     // What no sample at a corner of a pixel looks up, those in between hardly do; if one does, its map is
     // captured then.
@@ -139,6 +141,8 @@ Image RasterRenderer::frame() const {
 }
 
 FrameCounts RasterRenderer::render(Film& film, std::uint32_t count, Progress& progress) {
+    UTSURI_CHECK_EQ(film.width(), settings_.width);
+    UTSURI_CHECK_EQ(film.height(), settings_.height);
     FrameCounts counts;
     counts.gpu_seconds = view_->prepare_view();
     const interop::FrameInfo frame = frame_settings();

@@ -20,7 +20,7 @@ RayTracer::RayTracer(const RendererInput& input, const RenderSettings& settings)
       settings_(settings),
       lobe_albedos_(kept_light_ == nullptr ? std::nullopt
                                            : std::optional(make_buffer<interop::LobeAlbedo>(
-                                                 device_, make_lobe_albedo_table(), "albedos of lobes"))),
+                                                 device_, lobe_albedo_table(), "albedos of lobes"))),
       frame_{{}, settings.seed, std::min(settings.max_depth, input.scene.max_depth()), interop::NONE},
       kernel_(make_kernel()) {
     set_camera(input.camera);
@@ -44,8 +44,6 @@ void RayTracer::update(const SceneChange& change, Progress& progress) {
     kept_light_->update(change, progress);
     kept_light_->fill(progress);
     if (change.geometry || change.lights) count_light(kept_light_->cost());
-    // The light may lie in other buffers now.
-    kernel_ = make_kernel();
 }
 
 void RayTracer::set_camera(const Camera& camera) {

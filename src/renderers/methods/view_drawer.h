@@ -28,7 +28,7 @@ class ViewDrawer {
     virtual double prepare_view() = 0;
     /// Records the drawing of one picture.
     virtual void record(const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) const = 0;
-    /// What record() draws into, with the state of each pixel in the fourth channel: lib/image_state.glsl.
+    /// What record() draws into, with the state of each pixel in the fourth channel: lib/pixel_state.glsl.
     [[nodiscard]] virtual const Attachment& picture() const = 0;
 
     /// See Renderer. picture() is of the present view, a sample at the centre of each pixel.

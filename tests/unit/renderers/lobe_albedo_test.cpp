@@ -54,7 +54,7 @@ TEST(LobeAlbedo, LosesOfLambertsLightWhatSchlickTakes) {
 }
 
 TEST(LobeAlbedo, NeverGains) {
-    for (const interop::LobeAlbedo& entry : make_lobe_albedo_table()) {
+    for (const interop::LobeAlbedo& entry : lobe_albedo_table()) {
         EXPECT_GE(entry.constant, 0.0f);
         EXPECT_GE(entry.schlick, 0.0f);
         EXPECT_LE(entry.constant + entry.schlick, 1.0f);
@@ -68,7 +68,7 @@ TEST(LobeAlbedo, TableIsFineEnough) {
     constexpr double kInterpolation = 5e-3;
     constexpr double kNarrowLobesAtGrazingAngles = 2e-2;
     constexpr std::uint32_t kSize = interop::LOBE_ALBEDO_SIZE;
-    const auto table = make_lobe_albedo_table();
+    const auto table = lobe_albedo_table();
     const auto whole = [](const interop::LobeAlbedo& entry) {
         return static_cast<double>(entry.constant) + static_cast<double>(entry.schlick);
     };

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <numeric>
 
 namespace utsuri {
 namespace {
@@ -112,6 +113,8 @@ void LightCache::fill(Progress& progress) {
     if (is_filled()) return;
     light_.fill_with_zero();
     simulate(all_space().boxes, progress);
+    changed_.resize(lattices_.size());
+    std::iota(changed_.begin(), changed_.end(), 0u);
 }
 
 void LightCache::update(const SceneChange& change, Progress& progress) {

@@ -59,7 +59,7 @@ GlossyMaps::GlossyMaps(Device& device, const SceneData& data, const GlossyMapSet
           (keeps_distances(settings.kind) ? std::max<std::uint64_t>(1, plan_.texels) : 1) * sizeof(float),
           "inverse distances of rough maps"),
       lobe_albedos_(make_buffer<interop::LobeAlbedo>(
-          device, plan_.levels.empty() ? std::vector<interop::LobeAlbedo>() : make_lobe_albedo_table(),
+          device, plan_.levels.empty() ? std::vector<interop::LobeAlbedo>() : lobe_albedo_table(),
           "albedos of lobes")) {}
 
 FrameCounts GlossyMaps::capture(const GpuScene& scene, const SurfaceLight& light,

@@ -67,6 +67,8 @@ interop::LobeAlbedo lobe_albedo(double alpha, double mu) {
             static_cast<float>(lost / kPoints)};
 }
 
+namespace {
+
 std::vector<interop::LobeAlbedo> make_lobe_albedo_table() {
     std::vector<interop::LobeAlbedo> table;
     constexpr double kLast = interop::LOBE_ALBEDO_SIZE - 1;
@@ -78,6 +80,13 @@ std::vector<interop::LobeAlbedo> make_lobe_albedo_table() {
         }
     }
     return table;
+}
+
+}  // namespace
+
+const std::vector<interop::LobeAlbedo>& lobe_albedo_table() {
+    static const std::vector<interop::LobeAlbedo> kTable = make_lobe_albedo_table();
+    return kTable;
 }
 
 }  // namespace utsuri

@@ -12,6 +12,6 @@ namespace utsuri {
 interop::LobeAlbedo lobe_albedo(double alpha, double mu);
 
 /// The table that kernels interpolate, LOBE_ALBEDO_SIZE^2 entries.
-std::vector<interop::LobeAlbedo> make_lobe_albedo_table();
+const std::vector<interop::LobeAlbedo>& lobe_albedo_table();
 
 }  // namespace utsuri

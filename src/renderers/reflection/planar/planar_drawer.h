@@ -27,7 +27,7 @@ class PlanarDrawer {
     /// @param views plan_mirrored_views() for a picture of this size
     void record(const vk::raii::CommandBuffer& commands, const std::vector<MirroredView>& views,
                 const interop::FrameInfo& frame) const;
-    /// What it draws into: see lib/image_state.glsl for its fourth channel.
+    /// What it draws into: see lib/pixel_state.glsl for its fourth channel.
     [[nodiscard]] const Attachment& picture() const { return colour_; }
 
   private:
