@@ -10,6 +10,8 @@ INTEROP_BEGIN
 INTEROP_CONSTANT PROBE_GLOSSY = 0u;        ///< sample_glossy() and glossy_pdf()
 INTEROP_CONSTANT PROBE_LIGHT = 1u;         ///< sample_light() of the first light
 INTEROP_CONSTANT PROBE_LIGHT_CHOICE = 2u;  ///< choose_light()
+INTEROP_CONSTANT PROBE_LOBE = 3u;          ///< sample_lobe(), lobe_value() and lobe_pdf() of ProbePush::lobe
+INTEROP_CONSTANT PROBE_SURFACE = 4u;       ///< make_surface() on triangle 0, seen along -wo
 
 INTEROP_CONSTANT PROBE_SPEC_SAMPLER = SPEC_COUNT;
 
@@ -22,14 +24,16 @@ struct ProbePush {
     vec3 normal;    ///< unit
     vec3 wo;        ///< unit
     float alpha;
+    uint lobe;  ///< LOBE_ of lib/lobes/lobes.glsl
     uint count;
 };
 
 struct ProbeOutput {
     vec3 direction;
-    float pdf;
-    vec3 target;  ///< on the light
-    uint light;
+    float pdf;    ///< of a surface: its eta
+    vec3 target;  ///< on the light; of a lobe: its value times the cosine
+    uint light;   ///< of a surface: 1 if its front is seen
+    vec3 weight;  ///< of a lobe: what its sample's throughput says that value is
 };
 
 INTEROP_END

@@ -165,6 +165,82 @@ TEST_F(Sampling, EnvironmentDirectionsFollowTheCosine) {
     }
 }
 
+/// Numbers of lib/lobes/lobes.glsl.
+constexpr std::uint32_t kDiffuseLobe = 0;
+constexpr std::uint32_t kGlossyLobe = 1;
+
+TEST_F(Sampling, DiffuseDirectionsFollowTheCosine) {
+    Scene scene;
+    add(scene, ground(1.0f), rough_metal(0.5f));
+    const SceneData data = prepare_scene_data(scene);
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 2, -0.5));
+    const Basis basis(normal, {0.2, 0.5, 0.7});
+    interop::ProbePush push{};
+    push.normal = glm::vec3(normal);
+    push.wo = glm::vec3(glm::normalize(normal + 0.5 * basis.x));
+    push.alpha = 0.3f;
+    push.lobe = kDiffuseLobe;
+    const auto outputs = probe(device(), data, interop::PROBE_LOBE, push, random_pairs(kSamples, 300));
+    std::vector<double> observed(kRings * kSectors, 0.0);
+    const std::vector<double> expected(kRings * kSectors,
+                                       static_cast<double>(kSamples) / (kRings * kSectors));
+    for (const interop::ProbeOutput& output : outputs) {
+        const glm::dvec3 w = basis.local(glm::dvec3(output.direction));
+        observed[bin_of(1.0 - w.z * w.z, kRings) * kSectors + bin_of(turn_of(w.y, w.x), kSectors)] += 1.0;
+        // Near the horizon the cosine, of some 2^-23 absolute error, has few digits.
+        ASSERT_NEAR(static_cast<double>(output.pdf), w.z / kPi, kPdfError * w.z / kPi + 0x1p-22);
+    }
+    EXPECT_GE(chi_square_p_value(observed, expected), kRejection);
+}
+
+// A sample's throughput is value times cosine over density, whatever cancels on the way. D(h) is taken from h
+// twice; it changes by at most 2 / alpha a radian, and h is known to some units of 2^-24.
+TEST_F(Sampling, ThroughputsOfLobesAreTheirValuesOverTheirDensities) {
+    Scene scene;
+    add(scene, ground(1.0f), rough_metal(0.5f));
+    const SceneData data = prepare_scene_data(scene);
+    for (const std::uint32_t lobe : {kDiffuseLobe, kGlossyLobe}) {
+        for (const float alpha : {0.05f, 0.3f, 1.0f}) {
+            interop::ProbePush push{};
+            push.normal = {0, 0, 1};
+            push.wo = glm::normalize(glm::vec3(0.6f, -0.3f, 0.5f));
+            push.alpha = alpha;
+            push.lobe = lobe;
+            const double allowed = kPdfError + 64.0 * 0x1p-24 / static_cast<double>(alpha);
+            int above = 0;
+            for (const interop::ProbeOutput& output :
+                 probe(device(), data, interop::PROBE_LOBE, push, random_pairs(1000, 400 + lobe))) {
+                if (output.pdf == 0.0f) continue;
+                ++above;
+                for (int c = 0; c < 3; ++c) {
+                    const auto value = static_cast<double>(output.target[c]);
+                    ASSERT_NEAR(static_cast<double>(output.weight[c]), value, allowed * value)
+                        << "lobe " << lobe << ", alpha " << alpha;
+                }
+            }
+            EXPECT_GT(above, 500);
+        }
+    }
+}
+
+// Seen from its front, what is behind a surface has its index of refraction; from behind, the other way
+// round.
+TEST_F(Sampling, SurfacesKnowTheirSideAndTheirRatioOfIndices) {
+    Scene scene;
+    Material glass = rough_metal(0.5f);
+    glass.ior = 1.5f;
+    add(scene, ground(1.0f), glass);
+    const SceneData data = prepare_scene_data(scene);
+    for (const bool from_front : {true, false}) {
+        interop::ProbePush push{};
+        push.wo = glm::normalize(glm::vec3(0.2f, from_front ? 1.0f : -1.0f, 0.3f));
+        const auto found = probe(device(), data, interop::PROBE_SURFACE, push, random_pairs(1, 1)).front();
+        EXPECT_EQ(found.light, from_front ? 1u : 0u);
+        EXPECT_NEAR(static_cast<double>(found.pdf), from_front ? 1.5 : 1.0 / 1.5, 1e-7);
+        EXPECT_GT(glm::dot(found.direction, push.wo), 0.0f) << "the normal is on the viewer's side";
+    }
+}
+
 /// Cell of a point of a triangle among 64 congruent ones, by its barycentric coordinates.
 std::size_t triangle_cell(double b1, double b2) {
     constexpr std::size_t kEdge = 8;

@@ -11,8 +11,9 @@ struct RenderSettings {
     std::uint32_t height = 384;
     std::uint32_t seed = 0;
     std::uint32_t max_depth = 8;  ///< most specular reflections followed
-    /// Traced pictures take the light of diffuse surfaces from where it is kept, as drawn ones always do:
-    /// what they differ by is then due to reflections alone.
+    /// Traced pictures take what diffuse lobes send out from the light kept on surfaces, as drawn ones always
+    /// do: what they differ by is then due to reflections. (What glossy surfaces show in reflection maps is
+    /// simulated when these are captured.)
     bool kept_light = false;
 };
 

@@ -22,6 +22,8 @@ Surface probed_surface() {
     surface.triangle = NONE;
     surface.material = 0u;
     surface.instance = 0u;
+    surface.front = true;
+    surface.eta = 1.5;
     surface.base_colour = vec3(1.0);
     surface.metallic = 1.0;
     surface.alpha = push.alpha;
@@ -35,7 +37,7 @@ void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= push.count) return;
     vec2 u = inputs[index];
-    ProbeOutput result = ProbeOutput(vec3(0.0), 0.0, vec3(0.0), 0u);
+    ProbeOutput result = ProbeOutput(vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0));
     Surface surface = probed_surface();
     if (SAMPLER == PROBE_GLOSSY) {
         result.direction = glossy_direction(surface, push.wo, u);
@@ -45,6 +47,23 @@ void main() {
         result.direction = light_sample.direction;
         result.pdf = light_sample.pdf;
         result.target = light_sample.target;
+    } else if (SAMPLER == PROBE_LOBE) {
+        surface.base_colour = vec3(0.9, 0.5, 0.2);
+        surface.metallic = 0.25;
+        surface.f0 = 0.04;
+        surface.f90 = 1.0;
+        LobeSample lobe = sample_lobe(surface, push.lobe, push.wo, u);
+        result.direction = lobe.direction;
+        if (lobe.pdf > 0.0) {
+            result.pdf = lobe_pdf(surface, push.lobe, push.wo, lobe.direction);
+            result.target = lobe_value(surface, push.lobe, push.wo, lobe.direction) * dot(surface.ns, lobe.direction);
+            result.weight = lobe.throughput * lobe.pdf;
+        }
+    } else if (SAMPLER == PROBE_SURFACE) {
+        Surface seen = make_surface(Hit(1.0, 0u, 0.25, 0.25), -push.wo);
+        result.light = seen.front ? 1u : 0u;
+        result.pdf = seen.eta;
+        result.direction = seen.ng;
     } else {
         result.light = choose_light(receiver_of(surface), u.x);
     }
