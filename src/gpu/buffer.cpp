@@ -83,29 +83,58 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept = default;
 Buffer::~Buffer() = default;
 
 void Buffer::upload(std::span<const std::byte> bytes, std::uint64_t offset) {
-    UTSURI_CHECK_LE(offset + bytes.size(), size_);
-    if (bytes.empty()) return;
+    const Upload only{offset, bytes};
+    upload(std::span(&only, 1));
+}
+
+void Buffer::upload(std::span<const Upload> uploads) {
+    std::uint64_t bytes = 0;
+    for (const Upload& upload : uploads) {
+        UTSURI_CHECK_LE(upload.offset + upload.bytes.size(), size_);
+        bytes += upload.bytes.size();
+    }
+    if (bytes == 0) return;
     vulkan_call("upload", name_, [&] {
         if (memory_.host_visible()) {
-            void* target = memory_.handle().mapMemory(offset, bytes.size());
-            std::memcpy(target, bytes.data(), bytes.size());
+            auto* const target = static_cast<std::byte*>(memory_.handle().mapMemory(0, size_));
+            for (const Upload& upload : uploads)
+                std::copy(upload.bytes.begin(), upload.bytes.end(), target + upload.offset);
             memory_.handle().unmapMemory();
-            return;
-        }
-        const std::uint64_t piece = std::min<std::uint64_t>(bytes.size(), kStagingBytes);
-        const vk::raii::Buffer staging = create_buffer(*device_, piece);
-        const DeviceMemory memory =
-            bind_memory(*device_, staging, {Memory::eHostVisible | Memory::eHostCoherent});
-        for (std::uint64_t done = 0; done < bytes.size(); done += piece) {
-            const std::uint64_t now = std::min<std::uint64_t>(piece, bytes.size() - done);
-            std::memcpy(memory.handle().mapMemory(0, now), bytes.data() + done, now);
-            memory.handle().unmapMemory();
-            device_->run("upload", [&](const vk::raii::CommandBuffer& commands) {
-                commands.copyBuffer(*staging, *buffer_, vk::BufferCopy(0, offset + done, now));
-                barrier(commands);
-            });
+        } else {
+            upload_staged(uploads, std::min(bytes, kStagingBytes));
         }
     });
+    device_->note_upload(bytes);
+}
+
+void Buffer::upload_staged(std::span<const Upload> uploads, std::uint64_t staging_bytes) {
+    const vk::raii::Buffer staging = create_buffer(*device_, staging_bytes);
+    const DeviceMemory memory =
+        bind_memory(*device_, staging, {Memory::eHostVisible | Memory::eHostCoherent});
+    auto* const staged = static_cast<std::byte*>(memory.handle().mapMemory(0, staging_bytes));
+    std::vector<vk::BufferCopy> copies;
+    std::uint64_t filled = 0;
+    const auto flush = [&] {
+        device_->run("upload", [&](const vk::raii::CommandBuffer& commands) {
+            commands.copyBuffer(*staging, *buffer_, copies);
+            barrier(commands);
+        });
+        copies.clear();
+        filled = 0;
+    };
+    for (const Upload& upload : uploads) {
+        for (std::uint64_t done = 0; done < upload.bytes.size();) {
+            if (filled == staging_bytes) flush();
+            const std::uint64_t now =
+                std::min<std::uint64_t>(staging_bytes - filled, upload.bytes.size() - done);
+            std::memcpy(staged + filled, upload.bytes.data() + done, now);
+            copies.emplace_back(filled, upload.offset + done, now);
+            filled += now;
+            done += now;
+        }
+    }
+    flush();
+    memory.handle().unmapMemory();
 }
 
 void Buffer::download(std::span<std::byte> bytes, std::uint64_t offset) const {

@@ -13,6 +13,12 @@
 
 namespace utsuri {
 
+/// Bytes that go into a buffer at an offset.
+struct Upload {
+    std::uint64_t offset = 0;
+    std::span<const std::byte> bytes;
+};
+
 /// A storage buffer with its own memory, in device memory where there is some. It can also hold a uniform
 /// block, or the arguments of indirect draws. Move-only.
 class Buffer {
@@ -30,6 +36,8 @@ class Buffer {
     [[nodiscard]] const std::string& name() const { return name_; }
 
     void upload(std::span<const std::byte> bytes, std::uint64_t offset = 0);
+    /// Many at once cost about as much as one of their bytes together.
+    void upload(std::span<const Upload> uploads);
     void download(std::span<std::byte> bytes, std::uint64_t offset = 0) const;
     void fill_with_zero();
     /// Records that bytes at the front are replaced, ordered against what is recorded before and after: what
@@ -47,6 +55,9 @@ class Buffer {
     }
 
   private:
+    /// Through host memory of `staging_bytes`, filled as often as it takes.
+    void upload_staged(std::span<const Upload> uploads, std::uint64_t staging_bytes);
+
     Device* device_;
     std::uint64_t size_;
     std::string name_;

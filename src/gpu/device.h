@@ -60,6 +60,11 @@ class Device {
     /// Called by buffers as they take and release memory.
     void note_memory(std::int64_t bytes);
 
+    /// Bytes that Buffer::upload() copied since the device was opened: what it costs to follow a scene.
+    [[nodiscard]] std::uint64_t uploaded_bytes() const { return uploaded_bytes_; }
+    /// Called by buffers.
+    void note_upload(std::uint64_t bytes) { uploaded_bytes_ += bytes; }
+
     [[nodiscard]] PipelineCache& pipelines() { return *pipelines_; }
 
     /// Gives an object a name that validation messages and graphics debuggers show.
@@ -78,6 +83,7 @@ class Device {
     std::optional<vk::raii::QueryPool> timestamps_;
     std::optional<vk::raii::Fence> fence_;
     MemoryUsage memory_;
+    std::uint64_t uploaded_bytes_ = 0;
     std::unique_ptr<PipelineCache> pipelines_;
 };
 

@@ -1,46 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/requirements.h"
 
+#include "base/check.h"
+
 #include "interop/shading.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <optional>
 #include <set>
 
 namespace utsuri {
 namespace {
 
-struct Range {
-    float lower = 1.0f;
-    float upper = 1.0f;
-};
-
-/// Smallest and largest value of a channel over a texture; [1, 1] without one.
-Range channel_range(const Scene& scene, const TextureSlot& slot, std::size_t channel) {
-    if (!slot.used()) return {};
-    const Texture& texture = scene.textures[static_cast<std::size_t>(slot.texture)];
-    std::uint8_t lower = 255;
-    std::uint8_t upper = 0;
-    for (std::size_t i = channel; i < texture.rgba.size(); i += 4) {
-        lower = std::min(lower, texture.rgba[i]);
-        upper = std::max(upper, texture.rgba[i]);
-    }
-    return {static_cast<float>(lower) / 255.0f, static_cast<float>(upper) / 255.0f};
-}
-
 constexpr std::size_t kRoughnessChannel = 1;
 constexpr std::size_t kMetallicChannel = 2;
 
-bool reflects(const Scene& scene, const Material& material) {
-    const Range metallic = channel_range(scene, material.metallic_roughness_texture, kMetallicChannel);
-    return material.metallic * metallic.upper > 0.0f || material.specular > 0.0f;
+/// What a material does at its roughest, smoothest and most metallic points.
+struct MaterialRange {
+    RoughnessRange roughness;
+    bool reflects = false;  ///< some point has a specular lobe, smooth or rough
+
+    [[nodiscard]] bool may_be_specular() const {
+        return reflects && roughness.least < interop::SPECULAR_ROUGHNESS;
+    }
+    [[nodiscard]] bool may_be_glossy() const {
+        return reflects && roughness.most >= interop::SPECULAR_ROUGHNESS;
+    }
+};
+
+/// @param range of the texture for metalness and roughness, if the material has one
+MaterialRange material_range(const Material& material, const std::optional<TextureRange>& range) {
+    const auto factor = [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0f; };
+    MaterialRange result;
+    result.roughness = {material.roughness, material.roughness};
+    float most_metallic = material.metallic;
+    if (range) {
+        result.roughness.least *= factor(range->least[kRoughnessChannel]);
+        result.roughness.most *= factor(range->most[kRoughnessChannel]);
+        most_metallic *= factor(range->most[kMetallicChannel]);
+    }
+    result.reflects = most_metallic > 0.0f || material.specular > 0.0f;
+    return result;
 }
 
-RoughnessRange roughness_range(const Scene& scene, const Material& material) {
-    const Range texture = channel_range(scene, material.metallic_roughness_texture, kRoughnessChannel);
-    return {material.roughness * texture.lower, material.roughness * texture.upper};
+MaterialRange material_range(const Scene& scene, const Material& material) {
+    const TextureSlot& slot = material.metallic_roughness_texture;
+    if (!slot.used()) return material_range(material, std::nullopt);
+    return material_range(material,
+                          find_texture_range(scene.textures[static_cast<std::size_t>(slot.texture)]));
+}
+
+std::vector<MaterialRange> material_ranges(const Scene& scene, TextureRanges& ranges) {
+    UTSURI_CHECK_EQ(ranges.size(), scene.textures.size());
+    std::vector<MaterialRange> result;
+    result.reserve(scene.materials.size());
+    for (const Material& material : scene.materials) {
+        const TextureSlot& slot = material.metallic_roughness_texture;
+        if (!slot.used()) {
+            result.push_back(material_range(material, std::nullopt));
+            continue;
+        }
+        const auto index = static_cast<std::size_t>(slot.texture);
+        if (!ranges[index]) ranges[index] = find_texture_range(scene.textures[index]);
+        result.push_back(material_range(material, ranges[index]));
+    }
+    return result;
 }
 
 bool has_texture(const Material& material) {
@@ -59,9 +84,16 @@ bool in_one_plane(const Scene& scene, const std::vector<std::uint32_t>& instance
         }
     }
     const auto farthest = [&](const auto& measure) {
-        return *std::max_element(points.begin(), points.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
-            return measure(a) < measure(b);
-        });
+        std::size_t found = 0;
+        double most = measure(points[0]);
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double here = measure(points[i]);
+            if (here > most) {
+                most = here;
+                found = i;
+            }
+        }
+        return points[found];
     };
     const glm::dvec3 a = points.front();
     const glm::dvec3 b = farthest([&](const glm::dvec3& p) { return glm::length(p - a); });
@@ -78,15 +110,32 @@ bool in_one_plane(const Scene& scene, const std::vector<std::uint32_t>& instance
 
 }  // namespace
 
+TextureRange find_texture_range(const Texture& texture) {
+    TextureRange range;
+    for (std::size_t i = 0; i + 4 <= texture.rgba.size(); i += 4) {
+        for (std::size_t channel = 0; channel < 4; ++channel) {
+            range.least[channel] = std::min(range.least[channel], texture.rgba[i + channel]);
+            range.most[channel] = std::max(range.most[channel], texture.rgba[i + channel]);
+        }
+    }
+    return range;
+}
+
 bool may_be_specular(const Scene& scene, const Material& material) {
-    return reflects(scene, material) && roughness_range(scene, material).least < interop::SPECULAR_ROUGHNESS;
+    return material_range(scene, material).may_be_specular();
 }
 
 bool may_be_glossy(const Scene& scene, const Material& material) {
-    return reflects(scene, material) && roughness_range(scene, material).most >= interop::SPECULAR_ROUGHNESS;
+    return material_range(scene, material).may_be_glossy();
 }
 
 Requirements find_requirements(const Scene& scene) {
+    TextureRanges ranges(scene.textures.size());
+    return find_requirements(scene, ranges);
+}
+
+Requirements find_requirements(const Scene& scene, TextureRanges& ranges) {
+    const std::vector<MaterialRange> of_materials = material_ranges(scene, ranges);
     Requirements needs;
     std::vector<std::uint32_t> lobed_instances;
     std::set<std::uint32_t> materials;
@@ -95,22 +144,22 @@ Requirements find_requirements(const Scene& scene) {
         const Instance& instance = scene.instances[i];
         const Mesh& mesh = scene.meshes[instance.mesh];
         const Material& material = scene.materials[instance.material];
+        const MaterialRange& range = of_materials[instance.material];
         needs.triangles += mesh.triangles.size();
         needs.vertices += mesh.positions.size();
         if (material.emissive != glm::vec3(0.0f)) needs.emissive_triangles += mesh.triangles.size();
-        if (!mesh.triangles.empty() && may_be_specular(scene, material))
-            needs.reflective_instances.push_back(i);
-        if (!mesh.triangles.empty() && reflects(scene, material)) lobed_instances.push_back(i);
+        if (!mesh.triangles.empty() && range.may_be_specular()) needs.reflective_instances.push_back(i);
+        if (!mesh.triangles.empty() && range.reflects) lobed_instances.push_back(i);
         if (!materials.insert(instance.material).second || !has_texture(material)) continue;
         for (const TextureSlot* slot : {&material.base_colour_texture, &material.metallic_roughness_texture,
                                         &material.emissive_texture}) {
             if (slot->used()) textures.insert(slot->texture);
         }
     }
-    for (const Material& material : scene.materials) {
-        needs.surfaces.push_back(
-            {may_be_glossy(scene, material), may_be_specular(scene, material), has_texture(material)});
-        needs.roughness.push_back(roughness_range(scene, material));
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        needs.surfaces.push_back({of_materials[i].may_be_glossy(), of_materials[i].may_be_specular(),
+                                  has_texture(scene.materials[i])});
+        needs.roughness.push_back(of_materials[i].roughness);
     }
     for (const std::uint32_t material : materials)
         needs.glossy = needs.glossy || needs.surfaces[material].glossy;

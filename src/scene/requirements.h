@@ -3,8 +3,10 @@
 
 #include "scene/scene.h"
 
+#include <array>
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace utsuri {
@@ -23,6 +25,18 @@ struct RoughnessRange {
     float least = 1.0f;
     float most = 1.0f;
 };
+
+/// Least and largest byte of each channel over a texture, R, G, B, A.
+struct TextureRange {
+    std::array<std::uint8_t, 4> least{255, 255, 255, 255};
+    std::array<std::uint8_t, 4> most{0, 0, 0, 0};
+
+    friend bool operator==(const TextureRange&, const TextureRange&) = default;
+};
+TextureRange find_texture_range(const Texture& texture);
+
+/// What is known of the textures of a scene, one entry each.
+using TextureRanges = std::vector<std::optional<TextureRange>>;
 
 /// What rendering a scene takes. It picks the specialization of every kernel and decides which resources
 /// exist at all.
@@ -55,5 +69,8 @@ bool may_be_specular(const Scene& scene, const Material& material);
 bool may_be_glossy(const Scene& scene, const Material& material);
 
 Requirements find_requirements(const Scene& scene);
+/// The same where some ranges are known: textures take far longer to go through than all else.
+/// @param ranges one of each texture; those that are asked for and missing are found and put there
+Requirements find_requirements(const Scene& scene, TextureRanges& ranges);
 
 }  // namespace utsuri

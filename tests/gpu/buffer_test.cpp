@@ -49,6 +49,37 @@ TEST_F(BufferOnDevice, UploadsAndDownloadsAtAnOffset) {
     EXPECT_EQ(part, (std::vector<std::uint32_t>{10, 7000, 8000}));
 }
 
+TEST_F(BufferOnDevice, UploadsManyRangesAtOnce) {
+    // 100 MiB in all, more than the staging copy takes at once, in ranges that do not divide its pieces.
+    constexpr std::size_t kCount = std::size_t{26} << 20;
+    constexpr std::size_t kRange = 1'000'003;
+    std::vector<std::uint32_t> expected = numbers(kCount);
+    Buffer buffer = make_buffer<std::uint32_t>(device(), expected, "ranges");
+    std::vector<std::uint32_t> patch(kCount);
+    std::iota(patch.begin(), patch.end(), 7000u);
+    std::vector<Upload> uploads;
+    for (std::size_t first = 0; first < kCount; first += kRange) {
+        const std::size_t count = std::min(kRange - 1, kCount - first);
+        uploads.push_back({4 * first, std::as_bytes(std::span(patch).subspan(first, count))});
+        std::copy_n(patch.begin() + static_cast<std::ptrdiff_t>(first), count,
+                    expected.begin() + static_cast<std::ptrdiff_t>(first));
+    }
+    buffer.upload(uploads);
+    EXPECT_TRUE(buffer.download_records<std::uint32_t>(kCount) == expected);
+}
+
+TEST_F(BufferOnDevice, CountsWhatItUploads) {
+    const std::uint64_t before = device().uploaded_bytes();
+    Buffer buffer = make_buffer<std::uint32_t>(device(), numbers(100), "counted");
+    EXPECT_EQ(device().uploaded_bytes() - before, 400u);
+    const std::vector<std::uint32_t> patch = {1, 2, 3};
+    const auto bytes = std::as_bytes(std::span(patch));
+    buffer.upload(std::vector<Upload>{{0, bytes}, {40, {}}, {80, bytes.first(4)}});
+    EXPECT_EQ(device().uploaded_bytes() - before, 416u);
+    buffer.upload(std::vector<Upload>());
+    EXPECT_EQ(device().uploaded_bytes() - before, 416u);
+}
+
 TEST_F(BufferOnDevice, FillsWithZero) {
     Buffer buffer = make_buffer<std::uint32_t>(device(), numbers(1001), "zeroes");
     buffer.fill_with_zero();

@@ -1,81 +1,86 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/scene/gpu_scene.h"
 
+#include "renderers/scene/scene_buffers.h"
+#include "renderers/scene/scene_constants.h"
+
 #include "base/check.h"
 
-#include "interop/bindings.h"
-#include "interop/specialization.h"
+#include <algorithm>
 
 namespace utsuri {
 namespace {
 
-template <typename Record>
-Buffer upload(Device& device, const std::vector<Record>& records, const char* name) {
-    return make_buffer<Record>(device, records, name);
+/// Without bytes one zeroed record, because Vulkan has no empty buffers.
+std::uint64_t size_on_device(const SceneBuffer& content) {
+    return std::max<std::uint64_t>(content.bytes.size(), content.record_bytes);
 }
 
-/// Puts as many records in the place of those that a buffer was made of.
-template <typename Record>
-void replace(Buffer& buffer, const std::vector<Record>& records) {
-    if (!records.empty()) buffer.upload(std::as_bytes(std::span(records)));
+/// Fills all of a buffer of that size.
+void fill(Buffer& buffer, const SceneBuffer& content) {
+    if (content.bytes.empty()) {
+        buffer.fill_with_zero();
+    } else {
+        buffer.upload(content.bytes);
+    }
 }
 
-Specialization specialise(const SceneData& data) {
-    const Requirements& needs = data.requirements;
-    return {{interop::SPEC_STACK_SIZE, data.bvh.depth},
-            {interop::SPEC_HAS_TEXTURES, needs.textures > 0 ? 1 : 0},
-            {interop::SPEC_HAS_TRIANGLE_LIGHTS, needs.emissive_triangles > 0 ? 1 : 0},
-            {interop::SPEC_HAS_PUNCTUAL_LIGHTS, needs.punctual_lights > 0 ? 1 : 0},
-            {interop::SPEC_ENVIRONMENT_LIGHT, data.environment_light().value_or(interop::NONE)},
-            {interop::SPEC_HAS_GLOSSY, needs.glossy ? 1 : 0},
-            {interop::SPEC_HAS_SPECULAR, needs.specular ? 1 : 0},
-            {interop::SPEC_LIGHT_COUNT, static_cast<std::uint32_t>(data.lights.size())}};
+/// The previous buffer is given back first: there may not be room for both.
+void make_anew(Device& device, std::optional<Buffer>& buffer, const SceneBuffer& content) {
+    buffer.reset();
+    buffer.emplace(device, size_on_device(content), content.name);
+    fill(*buffer, content);
+}
+
+void upload_ranges(Buffer& buffer, std::span<const std::byte> bytes, const std::vector<ByteRange>& ranges) {
+    std::vector<Upload> uploads;
+    uploads.reserve(ranges.size());
+    for (const ByteRange& range : ranges)
+        uploads.push_back({range.offset, bytes.subspan(range.offset, range.size)});
+    buffer.upload(uploads);
 }
 
 }  // namespace
 
-GpuScene::GpuScene(Device& device, const SceneData& data)
-    : specialization_(specialise(data)),
-      max_depth_(data.requirements.max_depth),
-      light_revision_(data.light_revision),
-      nodes_(upload(device, data.bvh.nodes, "BVH nodes")),
-      triangles_(upload(device, data.bvh.triangles, "BVH triangles")),
-      triangle_infos_(upload(device, data.triangle_infos, "triangle infos")),
-      normals_(upload(device, data.normals, "normals")),
-      texcoords_(upload(device, data.texcoords, "texcoords")),
-      materials_(upload(device, data.materials, "materials")),
-      lights_(upload(device, data.lights, "lights")),
-      light_table_(upload(device, data.light_table, "light table")),
-      texture_headers_(upload(device, data.texture_headers, "texture headers")),
-      texels_(upload(device, data.texels, "texels")) {}
+GpuScene::GpuScene(Device& device, const SceneData& data) : device_(&device) {
+    for (const SceneBuffer& content : scene_buffers(data)) {
+        buffers_.push_back({content.binding, std::nullopt});
+        make_anew(device, buffers_.back().buffer, content);
+    }
+    describe(data);
+}
 
-void GpuScene::update(const SceneData& data) {
-    UTSURI_CHECK(specialise(data) == specialization_);
+void GpuScene::describe(const SceneData& data) {
+    specialization_ = scene_constants(data);
     max_depth_ = data.requirements.max_depth;
     light_revision_ = data.light_revision;
-    replace(nodes_, data.bvh.nodes);
-    replace(triangles_, data.bvh.triangles);
-    replace(triangle_infos_, data.triangle_infos);
-    replace(normals_, data.normals);
-    replace(texcoords_, data.texcoords);
-    replace(materials_, data.materials);
-    replace(lights_, data.lights);
-    replace(light_table_, data.light_table);
-    replace(texture_headers_, data.texture_headers);
-    replace(texels_, data.texels);
+    revision_ = data.revision;
+}
+
+void GpuScene::update(const SceneData& data) {
+    const bool follows = revision_ && *revision_ + 1 == data.revision;
+    if (follows) UTSURI_CHECK_EQ(data.changed_bytes.size(), kSceneBuffers);
+    // Should this end early, some buffers are of another revision than others.
+    revision_.reset();
+    const auto contents = scene_buffers(data);
+    for (std::size_t i = 0; i < kSceneBuffers; ++i) {
+        std::optional<Buffer>& buffer = buffers_[i].buffer;
+        if (!buffer || buffer->size() != size_on_device(contents[i])) {
+            make_anew(*device_, buffer, contents[i]);
+        } else if (!follows || data.changed_bytes[i].resized) {
+            fill(*buffer, contents[i]);
+        } else {
+            upload_ranges(*buffer, contents[i].bytes, data.changed_bytes[i].ranges);
+        }
+    }
+    describe(data);
 }
 
 Bindings GpuScene::bindings() const {
-    return {{interop::BINDING_BVH_NODES, &nodes_},
-            {interop::BINDING_BVH_TRIANGLES, &triangles_},
-            {interop::BINDING_TRIANGLE_INFOS, &triangle_infos_},
-            {interop::BINDING_NORMALS, &normals_},
-            {interop::BINDING_TEXCOORDS, &texcoords_},
-            {interop::BINDING_MATERIALS, &materials_},
-            {interop::BINDING_LIGHTS, &lights_},
-            {interop::BINDING_LIGHT_TABLE, &light_table_},
-            {interop::BINDING_TEXTURE_HEADERS, &texture_headers_},
-            {interop::BINDING_TEXELS, &texels_}};
+    Bindings result;
+    for (const Held& held : buffers_)
+        result[held.binding] = &held.buffer.value();
+    return result;
 }
 
 }  // namespace utsuri

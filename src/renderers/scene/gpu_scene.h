@@ -6,6 +6,10 @@
 #include "gpu/buffer.h"
 #include "gpu/kernel.h"
 
+#include <cstdint>
+#include <optional>
+#include <vector>
+
 namespace utsuri {
 
 /// A scene on the device, with what kernels need to know about it before they are compiled.
@@ -16,8 +20,12 @@ class GpuScene {
     GpuScene(const GpuScene&) = delete;
     GpuScene& operator=(const GpuScene&) = delete;
 
-    /// Takes over a change of the scene: update_scene_data().
-    /// @param data of as many records as before
+    /// Takes over a change of the scene, after update_scene_data(): uploads what differs, or all where a
+    /// change was left out. If the change was SceneChange::rebuilt, some buffers may be others: what was
+    /// bound must be bound anew, and kernels with other constants compiled anew.
+    /// @param data what this was made of
+    /// @throws DeviceError if the scene does not fit any more; then only another update() or the end of its
+    /// life may follow
     void update(const SceneData& data);
     /// SceneData::light_revision.
     [[nodiscard]] std::uint32_t light_revision() const { return light_revision_; }
@@ -32,19 +40,18 @@ class GpuScene {
     [[nodiscard]] std::uint32_t max_depth() const { return max_depth_; }
 
   private:
+    struct Held {
+        std::uint32_t binding;
+        std::optional<Buffer> buffer;  ///< none only while it is made anew
+    };
+    void describe(const SceneData& data);
+
+    Device* device_;
     Specialization specialization_;
-    std::uint32_t max_depth_;
-    std::uint32_t light_revision_;
-    Buffer nodes_;
-    Buffer triangles_;
-    Buffer triangle_infos_;
-    Buffer normals_;
-    Buffer texcoords_;
-    Buffer materials_;
-    Buffer lights_;
-    Buffer light_table_;
-    Buffer texture_headers_;
-    Buffer texels_;
+    std::uint32_t max_depth_ = 0;
+    std::uint32_t light_revision_ = 0;
+    std::optional<std::uint32_t> revision_;  ///< SceneData::revision that all buffers are of
+    std::vector<Held> buffers_;              ///< in the order of scene_buffers()
 };
 
 }  // namespace utsuri

@@ -1,115 +1,216 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/scene/scene_change.h"
 
-#include "base/error.h"
+#include "renderers/scene/light_list.h"
+#include "renderers/scene/material_list.h"
+#include "renderers/scene/same_bytes.h"
+#include "renderers/scene/scene_buffers.h"
+#include "renderers/scene/scene_constants.h"
+#include "renderers/scene/scene_geometry.h"
+#include "renderers/scene/texture_table.h"
+
+#include "interop/bindings.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
-#include <string>
 #include <string_view>
+#include <utility>
 
 namespace utsuri {
 namespace {
 
-/// Of records without padding.
-template <typename Record>
-bool same(const Record& a, const Record& b) {
-    return std::memcmp(&a, &b, sizeof(Record)) == 0;
-}
+/// Data before and after a change. What stayed was moved over, so it is not to be read before.
+struct Step {
+    const SceneData& before;
+    const SceneData& after;
+    GeometryChange geometry;
+    TextureChange textures;
 
-template <typename Record>
-bool same(const std::vector<Record>& a, const std::vector<Record>& b) {
-    return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Record)) == 0);
-}
+    /// Whether a buffer was moved over.
+    [[nodiscard]] bool keeps(std::uint32_t binding) const {
+        switch (binding) {
+            case interop::BINDING_BVH_NODES:
+            case interop::BINDING_BVH_TRIANGLES:
+                return geometry == GeometryChange::none || geometry == GeometryChange::attributes;
+            case interop::BINDING_NORMALS:
+            case interop::BINDING_TEXCOORDS:
+                return geometry == GeometryChange::none;
+            default:
+                return false;
+        }
+    }
+};
 
-/// What kernels, buffers and maps were made for and the scene no longer is; empty if nothing.
-std::string differing_requirement(const SceneData& before, const SceneData& after) {
+std::string differing_counts(const Step& step) {
     const auto count = [](std::string_view things, std::size_t now, std::size_t then) {
         return now == then ? std::string()
                            : fmt::format("it now has {} {} where it had {}", now, things, then);
     };
+    const SceneData& before = step.before;
+    const SceneData& after = step.after;
     const Requirements& a = before.requirements;
     const Requirements& b = after.requirements;
     for (const std::string& text :
-         {count("vertices", b.vertices, a.vertices), count("instances", b.instances, a.instances),
+         {count("triangles", b.triangles, a.triangles), count("vertices", b.vertices, a.vertices),
+          count("instances", b.instances, a.instances),
           count("materials", after.materials.size(), before.materials.size()),
           count("textures", after.texture_headers.size(), before.texture_headers.size()),
-          count("texels", after.texels.size(), before.texels.size()),
           count("lights that shine", after.lights.size(), before.lights.size())}) {
         if (!text.empty()) return text;
     }
+    return {};
+}
+
+/// Of scenes with as many instances and materials.
+bool has_other_triangles(const Step& step) {
+    const auto same_triangle = [](const interop::TriangleInfo& x, const interop::TriangleInfo& y) {
+        return x.vertices == y.vertices && x.material == y.material && x.instance == y.instance &&
+               (x.light == interop::NONE) == (y.light == interop::NONE);
+    };
+    const auto& before = step.before.triangle_infos;
+    const auto& after = step.after.triangle_infos;
+    return step.geometry == GeometryChange::rebuilt ||
+           !std::equal(before.begin(), before.end(), after.begin(), after.end(), same_triangle);
+}
+
+/// What kernels, buffers and maps were made for and the scene no longer is; empty if nothing.
+std::string differing_requirement(const Step& step) {
+    if (std::string text = differing_counts(step); !text.empty()) return text;
+    const Requirements& a = step.before.requirements;
+    const Requirements& b = step.after.requirements;
     if (b.environment != a.environment) return "its surroundings were switched on or off";
     if ((b.punctual_lights > 0) != (a.punctual_lights > 0))
         return "it now has punctual lights, or none any more";
     if ((b.emissive_triangles > 0) != (a.emissive_triangles > 0))
         return "it now has surfaces that shine, or none any more";
-    if (!same(after.texture_headers, before.texture_headers)) return "its textures have other sizes";
+    if (step.textures.laid_out) return "its textures have other sizes";
     if (b.surfaces != a.surfaces)
         return "a material now needs other features: it became rough, a mirror or neither";
     if (b.max_depth != a.max_depth) return "mirrors now face each other, or no longer do";
-    const auto same_triangle = [](const interop::TriangleInfo& x, const interop::TriangleInfo& y) {
-        return x.vertices == y.vertices && x.material == y.material && x.instance == y.instance &&
-               (x.light == interop::NONE) == (y.light == interop::NONE);
-    };
-    if (!std::equal(before.triangle_infos.begin(), before.triangle_infos.end(), after.triangle_infos.begin(),
-                    after.triangle_infos.end(), same_triangle)) {
+    if (has_other_triangles(step) || b.reflective_instances != a.reflective_instances)
         return "instances have other meshes or materials";
-    }
+    if (scene_constants(step.after) != scene_constants(step.before)) return "it takes other kernels";
     return {};
 }
 
 /// Whether a triangle's vertices or their normals are elsewhere.
-bool has_moved(const SceneData& before, const SceneData& after, std::uint32_t triangle) {
-    if (!same(before.bvh.triangles[triangle], after.bvh.triangles[triangle])) return true;
-    const glm::uvec3& vertices = before.triangle_infos[triangle].vertices;
+bool has_moved(const Step& step, std::uint32_t triangle) {
+    if (step.geometry == GeometryChange::none) return false;
+    if (!step.keeps(interop::BINDING_BVH_TRIANGLES) &&
+        !same_bytes(step.before.bvh.triangles[triangle], step.after.bvh.triangles[triangle]))
+        return true;
+    const glm::uvec3& vertices = step.after.triangle_infos[triangle].vertices;
     for (int corner = 0; corner < 3; ++corner) {
-        if (before.normals[vertices[corner]] != after.normals[vertices[corner]]) return true;
+        if (step.before.normals[vertices[corner]] != step.after.normals[vertices[corner]]) return true;
     }
     return false;
 }
 
-/// Whether something with a texture may look otherwise.
-bool uses_textures(const interop::MaterialInfo& material) {
-    return material.base_colour_texture.texture != interop::NONE ||
-           material.metallic_roughness_texture.texture != interop::NONE ||
-           material.emissive_texture.texture != interop::NONE;
+/// Whether other parts of textures are on a triangle.
+bool has_other_texcoords(const Step& step, std::uint32_t triangle) {
+    if (step.geometry == GeometryChange::none || step.after.texcoords.empty()) return false;
+    const interop::TriangleInfo& info = step.after.triangle_infos[triangle];
+    if (!step.after.requirements.surfaces[info.material].textured) return false;
+    for (int corner = 0; corner < 3; ++corner) {
+        const std::uint32_t vertex = info.vertices[corner];
+        if (step.before.texcoords[vertex] != step.after.texcoords[vertex]) return true;
+    }
+    return false;
 }
 
-SceneChange find_changes(const SceneData& before, const SceneData& after) {
-    SceneChange change;
-    const bool same_texels = same(before.texels, after.texels);
-    std::vector<bool> same_materials;
-    for (std::size_t i = 0; i < after.materials.size(); ++i) {
-        same_materials.push_back(same(before.materials[i], after.materials[i]) &&
-                                 (same_texels || !uses_textures(after.materials[i])));
-        change.lights |= reflects_diffusely(before.materials[i]) != reflects_diffusely(after.materials[i]);
+/// Of each material, whether what has it looks as before.
+std::vector<bool> same_materials(const Step& step) {
+    const auto same_texels = [&](const interop::TextureSlotInfo& slot) {
+        return slot.texture == interop::NONE || !step.textures.textures[slot.texture];
+    };
+    std::vector<bool> same;
+    for (std::size_t i = 0; i < step.after.materials.size(); ++i) {
+        const interop::MaterialInfo& material = step.after.materials[i];
+        same.push_back(
+            same_bytes(step.before.materials[i], material) && same_texels(material.base_colour_texture) &&
+            same_texels(material.metallic_roughness_texture) && same_texels(material.emissive_texture));
     }
+    return same;
+}
+
+/// Of a scene that is not rebuilt.
+SceneChange find_changes(const Step& step) {
+    const SceneData& before = step.before;
+    const SceneData& after = step.after;
+    SceneChange change;
+    const std::vector<bool> same_material = same_materials(step);
+    for (std::size_t i = 0; i < after.materials.size(); ++i)
+        change.lights |= reflects_diffusely(before.materials[i]) != reflects_diffusely(after.materials[i]);
+    const std::vector<interop::BvhTriangle>& were =
+        step.keeps(interop::BINDING_BVH_TRIANGLES) ? after.bvh.triangles : before.bvh.triangles;
     for (std::uint32_t t = 0; t < after.triangle_infos.size(); ++t) {
-        const bool moved = has_moved(before, after, t);
-        if (!moved && same_materials[after.triangle_infos[t].material]) continue;
+        const bool moved = has_moved(step, t);
+        const bool same_look =
+            same_material[after.triangle_infos[t].material] && !has_other_texcoords(step, t);
+        if (!moved && same_look) continue;
         change.triangles.push_back(t);
-        change.before.push_back(before.bvh.triangles[t]);
+        change.before.push_back(were[t]);
         change.geometry |= moved;
         change.lights |= after.triangle_infos[t].light != interop::NONE;
     }
-    change.lights |= !same(before.lights, after.lights) || !same(before.light_table, after.light_table);
+    change.lights |=
+        !same_bytes(before.lights, after.lights) || !same_bytes(before.light_table, after.light_table);
     const std::optional<std::uint32_t> then = before.environment_light();
     const std::optional<std::uint32_t> now = after.environment_light();
     change.surroundings = now && before.lights[*then].intensity != after.lights[*now].intensity;
     return change;
 }
 
+SceneChange rebuilt(std::string reason) {
+    SceneChange change;
+    change.geometry = true;
+    change.lights = true;
+    change.surroundings = true;
+    change.rebuilt = true;
+    change.reason = std::move(reason);
+    return change;
+}
+
+std::vector<ChangedBytes> find_changed_bytes(const Step& step) {
+    const auto before = scene_buffers(step.before);
+    const auto after = scene_buffers(step.after);
+    std::vector<ChangedBytes> changed(kSceneBuffers);
+    for (std::size_t i = 0; i < kSceneBuffers; ++i) {
+        if (step.keeps(after[i].binding)) continue;
+        if (after[i].binding == interop::BINDING_TEXELS) {
+            changed[i] = {step.textures.laid_out, step.textures.ranges};
+        } else if (before[i].bytes.size() != after[i].bytes.size()) {
+            changed[i].resized = true;
+        } else {
+            changed[i].ranges = differing_ranges(before[i].bytes, after[i].bytes);
+        }
+    }
+    return changed;
+}
+
 }  // namespace
 
 SceneChange update_scene_data(SceneData& data, const Scene& scene) {
-    SceneData after = prepare_changed_scene(data, scene);
-    if (const std::string difference = differing_requirement(data, after); !difference.empty())
-        throw InputError("follow a scene", scene.name, difference + "; prepare it anew");
-    const SceneChange change = find_changes(data, after);
-    after.light_revision = data.light_revision + (change.geometry || change.lights ? 1 : 0);
+    SceneData after;
+    const TextureTable table(scene);
+    // Texels are changed in place: a scene may have more of them than of all else.
+    after.texels = std::move(data.texels);
+    after.texture_headers = data.texture_headers;
+    after.texture_facts = std::move(data.texture_facts);
+    TextureChange textures = pack_textures(table, after);
+    after.requirements = find_requirements(scene, table, after.texture_facts);
+    const GeometryChange geometry = follow_geometry(data, scene, after);
+    after.materials = list_materials(scene, table);
+    list_lights(scene, mean_emission(scene, table, after.texture_facts), after);
+
+    const Step step{data, after, geometry, std::move(textures)};
+    std::string reason = differing_requirement(step);
+    SceneChange change = reason.empty() ? find_changes(step) : rebuilt(std::move(reason));
+    const std::uint32_t light_steps = change.rebuilt ? 2 : change.geometry || change.lights ? 1 : 0;
+    after.light_revision = data.light_revision + light_steps;
+    after.revision = data.revision + 1;
+    after.changed_bytes = find_changed_bytes(step);
     data = std::move(after);
     return change;
 }

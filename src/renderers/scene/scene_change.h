@@ -4,6 +4,7 @@
 #include "renderers/scene/scene_data.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace utsuri {
@@ -17,16 +18,20 @@ struct SceneChange {
     /// became diffuse or ceased to be.
     bool lights = false;
     bool surroundings = false;  ///< the uniform surroundings shine otherwise
+    /// What was made from the scene's requirements no longer holds: sizes of buffers, constants of kernels,
+    /// numbers of triangles. Whoever keeps anything about the scene must make it anew, bindings included.
+    /// There are then no triangles in the lists, and all that may have changed counts as changed.
     bool rebuilt = false;
+    std::string reason;  ///< why, for messages: "it now has 3 lights that shine where it had 2"
 
-    [[nodiscard]] bool empty() const { return triangles.empty() && !lights && !surroundings; }
+    [[nodiscard]] bool empty() const { return triangles.empty() && !lights && !surroundings && !rebuilt; }
 };
 
-/// Makes the data of a scene those of the scene as it is now: its instances moved, its lights, materials or
-/// surroundings of other values. Meshes, which material an instance has, and textures are to be the same.
-/// Renderers follow with Renderer::follow(), after GpuScene::update().
-/// @throws InputError if what it takes to render the scene has changed: a light was switched off or on, a
-/// matt material made a mirror; `data` is then as before, and the scene has to be prepared anew
+/// Makes the data of a scene those of the scene as it is now, whatever has changed. What did not is neither
+/// made again nor copied: a colour costs a comparison of meshes and texels with what was packed, but no
+/// geometry; only textures that differ are packed. Triangles keep their numbers unless the change is
+/// `rebuilt`; the BVH is refitted, or built anew where there are other triangles. Renderers follow with
+/// Renderer::update(), after GpuScene::update(). After an exception the data must not be used.
 SceneChange update_scene_data(SceneData& data, const Scene& scene);
 
 }  // namespace utsuri

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/scene/changed_bytes.h"
+
 #include "geometry/bvh.h"
 #include "scene/requirements.h"
 #include "scene/scene.h"
@@ -14,6 +16,18 @@
 
 namespace utsuri {
 
+/// What is known of a packed texture, found when first asked for.
+struct TextureFacts {
+    std::optional<TextureRange> range;
+    std::optional<double> mean;  ///< of its colour channels, decoded: mean_colour()
+};
+
+/// What triangles are made from, kept to tell without making them whether they would be the same again.
+struct GeometrySource {
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances;
+};
+
 /// A scene in the form the device reads, still on the host. Only what the scene requires is filled.
 struct SceneData {
     Requirements requirements;
@@ -24,13 +38,20 @@ struct SceneData {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> texcoords;  ///< only with textures
     std::vector<interop::MaterialInfo> materials;
-    std::vector<interop::LightInfo> lights;  ///< punctual ones before those with extent
+    std::vector<interop::LightInfo> lights;  ///< surroundings, punctual ones, then triangles
     std::vector<interop::LightTableEntry> light_table;
     std::vector<interop::TextureHeader> texture_headers;  ///< only textures in use
     std::vector<std::uint32_t> texels;                    ///< RGBA8, red in the lowest byte
-    double build_seconds = 0.0;                           ///< of the BVH
-    /// Changes of what light falls on surfaces since the scene was prepared: update_scene_data().
+    double build_seconds = 0.0;                           ///< of the BVH, or of what its last change took
+    /// Changes of what light falls on surfaces since the scene was prepared; one that SceneChange::rebuilt
+    /// counts twice, so that light kept from before it is never taken for light of one change before.
     std::uint32_t light_revision = 0;
+
+    // For update_scene_data() and GpuScene::update().
+    std::vector<TextureFacts> texture_facts;  ///< of each header
+    GeometrySource geometry_source;
+    std::uint32_t revision = 0;               ///< calls of update_scene_data() since the scene was prepared
+    std::vector<ChangedBytes> changed_bytes;  ///< of each of scene_buffers(), by the last such call
 
     /// Index of the uniform surroundings among the lights; none if they are black.
     [[nodiscard]] std::optional<std::uint32_t> environment_light() const;
@@ -43,10 +64,5 @@ bool reflects_diffusely(const interop::MaterialInfo& material);
 
 /// Transforms the scene's geometry, builds its BVH, and lists its lights weighted by their power.
 SceneData prepare_scene_data(const Scene& scene);
-
-/// The same of a scene in which things have moved or shine otherwise: triangles keep their numbers, so that
-/// what is kept about them can be told from what is not; the BVH is refitted.
-/// @throws InputError if there are not as many triangles as before
-SceneData prepare_changed_scene(const SceneData& before, const Scene& scene);
 
 }  // namespace utsuri

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/scene/scene_change.h"
 
+#include "renderers/scene/scene_buffers.h"
 #include "support/light_scenes.h"
 #include "support/scenes.h"
 
-#include "base/error.h"
 #include "geometry/bvh_check.h"
 
 #include <glm/ext/matrix_transform.hpp>
@@ -14,6 +14,8 @@ namespace utsuri::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
 
 constexpr std::uint32_t kTriangles = 4;  // two to a quad
 
@@ -36,6 +38,35 @@ std::vector<std::uint32_t> triangles_of(const SceneData& data, std::uint32_t ins
         if (data.triangle_infos[t].instance == instance) result.push_back(t);
     }
     return result;
+}
+
+Texture plain_texture(std::uint32_t width, std::uint32_t height, std::uint8_t value) {
+    return {"", width, height, std::vector<std::uint8_t>(std::size_t{4} * width * height, value)};
+}
+
+/// The quads with a texture each for their colours; that of the lamp is what it sends out, too.
+Scene textured_quads() {
+    Scene scene = two_quads();
+    scene.textures = {plain_texture(64, 64, 10), plain_texture(32, 16, 20)};
+    scene.materials[0].base_colour_texture.texture = 0;
+    scene.materials[1].base_colour_texture.texture = 1;
+    scene.materials[1].emissive_texture.texture = 1;
+    return scene;
+}
+
+/// Of data whose triangles have the same numbers.
+void expect_same_buffers(const SceneData& a, const SceneData& b) {
+    const auto buffers_a = scene_buffers(a);
+    const auto buffers_b = scene_buffers(b);
+    for (std::size_t i = 0; i < kSceneBuffers; ++i) {
+        EXPECT_TRUE(std::equal(buffers_a[i].bytes.begin(), buffers_a[i].bytes.end(),
+                               buffers_b[i].bytes.begin(), buffers_b[i].bytes.end()))
+            << buffers_a[i].name;
+    }
+    EXPECT_EQ(a.origin, b.origin);
+    EXPECT_EQ(a.bounds.lower, b.bounds.lower);
+    EXPECT_EQ(a.bounds.upper, b.bounds.upper);
+    EXPECT_EQ(a.bvh.order, b.bvh.order);
 }
 
 class SceneChanges : public testing::Test {
@@ -113,33 +144,185 @@ TEST_F(SceneChanges, OfLightsAreTold) {
     EXPECT_FALSE(change.surroundings);
 }
 
-TEST_F(SceneChanges, ThatNeedAnotherRendererAreRefused) {
-    const auto problem = [&](const auto& spoil) {
+TEST_F(SceneChanges, OfWhatIsMadeFromTheSceneRebuildIt) {
+    const auto reason = [](const auto& spoil) {
         Scene scene = two_quads();
+        SceneData data = prepare_scene_data(scene);
         spoil(scene);
-        try {
-            static_cast<void>(update_scene_data(data_, scene));
-        } catch (const InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string("none");
+        const SceneChange change = update_scene_data(data, scene);
+        EXPECT_EQ(change.rebuilt, !change.reason.empty());
+        EXPECT_FALSE(change.empty());
+        EXPECT_TRUE(change.geometry && change.lights && change.surroundings);
+        EXPECT_THAT(change.triangles, IsEmpty());
+        EXPECT_EQ(data.light_revision, 2u) << "light of one change before is never taken for it";
+        expect_same_buffers(data, prepare_scene_data(scene));
+        return change.reason;
     };
-    EXPECT_THAT(problem([](Scene& s) { s.lights[0].intensity = glm::vec3(0.0f); }),
-                HasSubstr("it now has 3 lights that shine where it had 4; prepare it anew"));
-    EXPECT_THAT(problem([](Scene& s) {
-                    s.environment = glm::vec3(0.0f);
-                    s.lights.push_back(s.lights[0]);
-                }),
-                HasSubstr("its surroundings were switched on or off"));
-    EXPECT_THAT(problem([](Scene& s) { s.materials[0] = mirror(); }), HasSubstr("it became rough, a mirror"));
-    EXPECT_THAT(problem([](Scene& s) { s.meshes[0] = icosphere(glm::vec3(0), 1, 1); }),
-                HasSubstr("it now has 82 triangles where it had 4"));
-    EXPECT_THAT(problem([](Scene& s) { s.instances[0].material = 1; }), HasSubstr("lights that shine"));
-    EXPECT_THAT(problem([](Scene& s) {
-                    add(s, quad({0, 0, 9}, {1, 0, 0}, {0, 1, 0}), mirror());
-                }),
-                HasSubstr("it now has 6 triangles"));
-    EXPECT_TRUE(change().empty()) << "and leave the data as they were";
+    EXPECT_EQ(reason([](Scene& s) { s.lights[0].intensity = glm::vec3(0.0f); }),
+              "it now has 3 lights that shine where it had 4");
+    EXPECT_EQ(reason([](Scene& s) {
+                  s.environment = glm::vec3(0.0f);
+                  s.lights.push_back(s.lights[0]);
+              }),
+              "its surroundings were switched on or off");
+    EXPECT_THAT(reason([](Scene& s) { s.materials[0] = mirror(); }), HasSubstr("it became rough, a mirror"));
+    EXPECT_EQ(reason([](Scene& s) { s.meshes[0] = icosphere(glm::vec3(0), 1, 1); }),
+              "it now has 82 triangles where it had 4");
+    EXPECT_THAT(reason([](Scene& s) { s.instances[0].material = 1; }), HasSubstr("lights that shine"));
+    EXPECT_EQ(reason([](Scene& s) {
+                  add(s, quad({0, 0, 9}, {1, 0, 0}, {0, 1, 0}), mirror());
+              }),
+              "it now has 6 triangles where it had 4");
+    EXPECT_EQ(reason([](Scene& s) { s.instances.pop_back(); }), "it now has 2 triangles where it had 4");
+    EXPECT_EQ(reason([](Scene& s) { s.instances.clear(); }), "it now has 0 triangles where it had 4");
+    EXPECT_EQ(reason([](Scene& s) { s.instances[0].world_from_object[0][0] = -1.0; }),
+              "instances have other meshes or materials")
+        << "mirrored, its triangles are wound the other way round";
+}
+
+TEST_F(SceneChanges, ThatRebuildWithoutTouchingGeometryKeepTheBvh) {
+    const interop::BvhNode* const nodes = data_.bvh.nodes.data();
+    scene_.lights[0].intensity = glm::vec3(0.0f);
+    scene_.materials[0] = mirror();
+    EXPECT_TRUE(change().rebuilt);
+    EXPECT_EQ(data_.bvh.nodes.data(), nodes) << "not even copied";
+    EXPECT_EQ(data_.build_seconds, 0.0);
+}
+
+// Of the same number of triangles, joined otherwise: refitting would keep the boxes of the old ones.
+TEST_F(SceneChanges, OfTrianglesThatJoinOtherVerticesBuildTheBvhAnew) {
+    std::swap(scene_.meshes[0].triangles[0], scene_.meshes[0].triangles[1]);
+    EXPECT_EQ(change().reason, "instances have other meshes or materials");
+    EXPECT_EQ(check_bvh(data_.bvh, kTriangles), "");
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+}
+
+TEST_F(SceneChanges, OfMaterialsOfInstancesRebuild) {
+    scene_.materials.push_back(lambert(glm::vec3(0.25f)));
+    EXPECT_TRUE(change().rebuilt);
+    scene_.instances[0].material = 2;
+    EXPECT_EQ(change().reason, "instances have other meshes or materials");
+    EXPECT_EQ(data_.triangle_infos[triangles_of(data_, 0)[0]].material, 2u);
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+}
+
+TEST_F(SceneChanges, ThatRebuildLeaveASceneThatIsFollowedOn) {
+    add(scene_, quad({0, 0, 9}, {1, 0, 0}, {0, 1, 0}), lambert(glm::vec3(0.25f)));
+    EXPECT_TRUE(change().rebuilt);
+    EXPECT_TRUE(change().empty());
+    scene_.materials[2].base_colour = glm::vec3(0.75f);
+    EXPECT_THAT(change().triangles, SizeIs(2));
+    EXPECT_EQ(data_.light_revision, 2u);
+    EXPECT_EQ(data_.revision, 3u);
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+}
+
+class ChangedTextures : public SceneChanges {
+  protected:
+    ChangedTextures() {
+        scene_ = textured_quads();
+        data_ = prepare_scene_data(scene_);
+    }
+};
+
+TEST_F(ChangedTextures, AreToldByTheTrianglesThatShowThem) {
+    const std::uint32_t* const texels = data_.texels.data();
+    scene_.textures[0].rgba[100] = 11;
+    const SceneChange change = this->change();
+    EXPECT_FALSE(change.rebuilt);
+    EXPECT_EQ(change.triangles, triangles_of(data_, 0));
+    EXPECT_FALSE(change.geometry || change.lights);
+    EXPECT_EQ(data_.texels.data(), texels) << "written in place";
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+}
+
+TEST_F(ChangedTextures, OfLampsChangeLights) {
+    scene_.textures[1].rgba.assign(scene_.textures[1].rgba.size(), 200);
+    const SceneChange change = this->change();
+    EXPECT_EQ(change.triangles, triangles_of(data_, 1));
+    EXPECT_TRUE(change.lights);
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+}
+
+TEST_F(ChangedTextures, AreGoneThroughAgainForWhatTheSceneRequires) {
+    scene_.materials[0] = rough_metal(1.0f);
+    scene_.materials[0].metallic_roughness_texture.texture = 0;
+    data_ = prepare_scene_data(scene_);
+    EXPECT_TRUE(data_.requirements.surfaces[0].glossy);
+    EXPECT_FALSE(data_.requirements.surfaces[0].specular);
+    scene_.textures[0].rgba[4 * 17 + 1] = 0;  // green, the roughness of a texel
+    EXPECT_THAT(change().reason, HasSubstr("it became rough, a mirror"));
+    EXPECT_TRUE(data_.requirements.surfaces[0].specular);
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+}
+
+// Two of one size: their places among the texels stay, what is in them does not.
+TEST_F(ChangedTextures, MayBeExchanged) {
+    scene_.textures.push_back(plain_texture(64, 64, 30));
+    scene_.materials[0].base_colour_texture.texture = 2;
+    EXPECT_FALSE(change().rebuilt);
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+    scene_.materials[0].base_colour_texture.texture = 0;
+    EXPECT_THAT(change().triangles, SizeIs(2));
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+}
+
+TEST_F(ChangedTextures, OfOtherSizesRebuild) {
+    scene_.textures[1] = plain_texture(16, 32, 20);
+    EXPECT_EQ(change().reason, "its textures have other sizes");
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+    scene_.materials[0].base_colour_texture = {};
+    EXPECT_EQ(change().reason, "it now has 1 textures where it had 2");
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+    scene_.materials[1].base_colour_texture = scene_.materials[1].emissive_texture = {};
+    EXPECT_TRUE(change().rebuilt);
+    EXPECT_THAT(data_.texcoords, IsEmpty());
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+    scene_.materials[0].base_colour_texture.texture = 0;
+    EXPECT_TRUE(change().rebuilt);
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+}
+
+TEST_F(ChangedTextures, ThatArePutOnOtherwiseAreTold) {
+    scene_.meshes[0].texcoords[2] = {0.5f, 0.5f};
+    const SceneChange change = this->change();
+    EXPECT_EQ(change.triangles, triangles_of(data_, 0));
+    EXPECT_FALSE(change.geometry || change.lights || change.rebuilt);
+    expect_same_buffers(data_, prepare_scene_data(scene_));
+}
+
+TEST_F(SceneChanges, OfTexcoordsWithoutTexturesAreNone) {
+    scene_.meshes[0].texcoords[2] = {0.5f, 0.5f};
+    EXPECT_TRUE(change().empty());
+}
+
+// What GpuScene::update() uploads.
+TEST_F(ChangedTextures, TellTheBytesThatDiffer) {
+    const auto ranges_after = [&](const auto& alter) {
+        alter(scene_);
+        const SceneData before = data_;
+        static_cast<void>(change());
+        const auto then = scene_buffers(before);
+        const auto now = scene_buffers(data_);
+        std::size_t bytes = 0;
+        for (std::size_t i = 0; i < kSceneBuffers; ++i) {
+            EXPECT_EQ(data_.changed_bytes[i],
+                      (ChangedBytes{false, differing_ranges(then[i].bytes, now[i].bytes)}))
+                << now[i].name;
+            for (const ByteRange& range : data_.changed_bytes[i].ranges)
+                bytes += range.size;
+        }
+        return bytes;
+    };
+    EXPECT_EQ(ranges_after([](Scene&) {}), 0u);
+    const std::size_t of_colour = ranges_after([](Scene& s) { s.materials[0].base_colour = {0, 1, 0}; });
+    EXPECT_GT(of_colour, 0u);
+    EXPECT_LE(of_colour, sizeof(glm::vec3));
+    EXPECT_EQ(ranges_after([](Scene& s) { s.textures[1].rgba[7] = 1; }), 1u);
+    EXPECT_GT(ranges_after([](Scene& s) { s.instances[0].world_from_object[3][2] = 1.0; }), 0u);
+    EXPECT_GT(ranges_after([](Scene& s) { s.meshes[0].normals[0] = {0, 0.6f, 0.8f}; }), 0u);
+    EXPECT_GT(ranges_after([](Scene& s) { s.meshes[0].texcoords[0] = {0.25f, 0.5f}; }), 0u);
+    EXPECT_GT(ranges_after([](Scene& s) { s.lights[0].intensity *= 2.0f; }), 0u);
 }
 
 }  // namespace

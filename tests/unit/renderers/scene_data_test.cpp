@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/scene/scene_data.h"
 
+#include "renderers/scene/texture_table.h"
 #include "support/scenes.h"
 
 #include "geometry/bvh_check.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace utsuri {
@@ -139,6 +141,11 @@ TEST(SceneData, PacksOnlyTexturesThatAreReferredTo) {
     EXPECT_EQ(info.base_colour_texture.sampling, 2u | (1u << 2) | (0u << 4));
     EXPECT_EQ(info.emissive_texture.sampling, 1u << 4);
     EXPECT_EQ(data.texels[data.texture_headers[info.emissive_texture.texture].first_texel + 1], 0x17161514u);
+}
+
+TEST(SceneData, TakesMeansOfTexturesOverTheirColours) {
+    EXPECT_EQ(mean_colour({"", 2, 1, {255, 0, 0, 7, 0, 255, 255, 9}}), 0.5);
+    EXPECT_EQ(mean_colour({"", 1, 1, {128, 128, 128, 255}}), std::pow(128.0 / 255.0, 2.2));
 }
 
 TEST(SceneData, KeepsAttributesWithTheirTriangles) {

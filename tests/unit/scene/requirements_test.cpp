@@ -105,6 +105,31 @@ TEST(Requirements, ReadRoughnessAndMetalnessFromTextures) {
     EXPECT_FALSE(may_be_glossy(scene, matte));
 }
 
+TEST(Requirements, TellTheLeastAndMostOfEachChannel) {
+    const TextureRange range = find_texture_range(texture({{9, 20, 31, 255}, {7, 22, 30, 254}}));
+    EXPECT_THAT(range.least, ElementsAre(7, 20, 30, 254));
+    EXPECT_THAT(range.most, ElementsAre(9, 22, 31, 255));
+}
+
+// Ranges that are not those of the textures show which of them are looked for.
+TEST(Requirements, TakeRangesOfTexturesThatAreKnown) {
+    Scene scene;
+    scene.textures = {texture({{0, 255, 255, 255}}), texture({{0, 255, 255, 255}}), texture({{1, 2, 3, 4}})};
+    Material metal = test::rough_metal(1.0f);
+    for (const std::int32_t i : {0, 1, 0}) {
+        metal.metallic_roughness_texture.texture = i;
+        test::add(scene, unit_quad(), metal);
+    }
+    TextureRanges ranges(3);
+    ranges[0] = TextureRange{{0, 0, 255, 255}, {0, 0, 255, 255}};
+    const Requirements needs = find_requirements(scene, ranges);
+    EXPECT_THAT(needs.reflective_instances, ElementsAre(0, 2)) << "as smooth as the range says";
+    EXPECT_EQ(needs.roughness[0].most, 0.0f);
+    EXPECT_EQ(needs.roughness[1].least, 1.0f);
+    EXPECT_EQ(ranges[1], find_texture_range(scene.textures[1])) << "found, and kept";
+    EXPECT_FALSE(ranges[2]) << "nobody asked for it";
+}
+
 TEST(Requirements, BoundTheChainsOfMirrorsInOnePlane) {
     Scene scene;
     test::add(scene, unit_quad(), test::mirror());

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/scene/scene_data.h"
+
+#include "gpu/kernel.h"
+
+namespace utsuri {
+
+/// Values of the kernels' constants that follow from a scene.
+Specialization scene_constants(const SceneData& data);
+
+}  // namespace utsuri
