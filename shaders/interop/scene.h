@@ -13,9 +13,13 @@ struct TriangleInfo {
     uint light;  ///< the light this triangle is, or NONE
 };
 
+/// What a material looks up, and how.
 struct TextureSlotInfo {
-    uint texture;   ///< into the texture headers, or NONE
-    uint sampling;  ///< wrap s (bits 0-1), wrap t (bits 2-3), filter (bit 4): the enums of scene/texture.h
+    uint texture;      ///< its number among the textures in use, or NONE
+    uint sampling;     ///< wrap s (bits 0-1), wrap t (bits 2-3), filter (bit 4): the enums of scene/texture.h
+    uint first_texel;  ///< of the texture
+    uint width;
+    uint height;
 };
 
 struct MaterialInfo {
@@ -32,12 +36,6 @@ struct MaterialInfo {
     TextureSlotInfo emissive_texture;
 };
 
-struct TextureHeader {
-    uint first_texel;
-    uint width;
-    uint height;
-};
-
 INTEROP_CONSTANT LIGHT_TRIANGLE = 0u;
 INTEROP_CONSTANT LIGHT_POINT = 1u;
 INTEROP_CONSTANT LIGHT_SPOT = 2u;
@@ -47,19 +45,15 @@ INTEROP_CONSTANT LIGHT_ENVIRONMENT = 4u;
 struct LightInfo {
     uint type;
     uint triangle;      ///< LIGHT_TRIANGLE: its index
-    float probability;  ///< that the light table picks this light
+    float probability;  ///< that this light is picked, by power
     vec3 position;      ///< point and spot
     vec3 direction;     ///< unit, the way light travels; spot and directional
     vec3 intensity;     ///< cd, lux or, for the environment, cd/m2
     float range;        ///< metres; infinity where unlimited
     float spot_scale;   ///< KHR_lights_punctual: 1 / max(0.001, cos inner - cos outer)
     float spot_offset;  ///< KHR_lights_punctual: -cos outer * spot_scale
-};
-
-/// One entry of an alias table (Walker 1977): take this entry where u < threshold, else its alias.
-struct LightTableEntry {
-    float threshold;
-    uint alias;
+    float threshold;    ///< of the alias table (Walker 1977) by which lights are picked: where u is less, ...
+    uint alias;         ///< ... this light is, else its alias
 };
 
 INTEROP_END

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a pixel of a drawn picture found what it shows, as its fourth channel keeps it.
-// Below zero, of images in plane mirrors: the number of reflections that it shows, and a half where they were cut short; or
-// the number of the image that it waits for, which is VIEW_OF_EYE or more.
-// From DRAWN_LOOKED_UP on, of what maps or rays told: one more for each reflection by images before, a half where the last
-// mirror was a plane one, and DRAWN_RAY for each ray.
+// Below zero, by mirrored views: minus the number of reflections that it shows, and half less where they were cut short; or
+// minus the number of the view that it waits for, which is VIEW_OF_EYE or more.
+// From DRAWN_LOOKED_UP on, by maps or rays: one more for each reflection by mirrored views before, a half more where the last
+// mirror was a plane one, and DRAWN_RAY more for each ray.
 #ifndef UTSURI_LIB_PIXEL_STATE
 #define UTSURI_LIB_PIXEL_STATE
 

@@ -58,8 +58,6 @@ std::string hash_scene(const SceneData& data) {
     hash.add(data.texcoords);
     hash.add(data.materials);
     hash.add(data.lights);
-    hash.add(data.light_table);
-    hash.add(data.texture_headers);
     hash.add(data.texels);
     return hash.text();
 }

@@ -16,7 +16,7 @@ layout(early_fragment_tests) in;
 layout(location = 0) out vec4 drawn;
 
 MaterialInfo drawn_material() {
-    TextureSlotInfo none = TextureSlotInfo(NONE, 0u);
+    TextureSlotInfo none = TextureSlotInfo(NONE, 0u, 0u, 0u, 0u);
     MaterialInfo material = MaterialInfo(drawn_colour.rgb, drawn_colour.a, drawn_emissive, drawn_lobe.x, drawn_lobe.y,
                                          drawn_lobe.z, drawn_lobe.w, drawn_ids.z, none, none, none);
     if (HAS_TEXTURES) {

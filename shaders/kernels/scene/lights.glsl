@@ -20,8 +20,7 @@ struct LightSample {
 uint choose_light(Receiver receiver, float u) {
     float scaled = u * float(LIGHT_COUNT);
     uint entry = min(uint(scaled), LIGHT_COUNT - 1u);
-    LightTableEntry choice = light_table[entry];
-    return scaled - float(entry) < choice.threshold ? entry : choice.alias;
+    return scaled - float(entry) < lights[entry].threshold ? entry : lights[entry].alias;
 }
 
 /// The probability with which choose_light() takes a light for a point.

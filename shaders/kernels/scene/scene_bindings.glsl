@@ -17,8 +17,6 @@ layout(scalar, set = SCENE_SET, binding = BINDING_NORMALS) readonly restrict buf
 layout(scalar, set = SCENE_SET, binding = BINDING_TEXCOORDS) readonly restrict buffer Texcoords { vec2 texcoords[]; };
 layout(scalar, set = SCENE_SET, binding = BINDING_MATERIALS) readonly restrict buffer Materials { MaterialInfo materials[]; };
 layout(scalar, set = SCENE_SET, binding = BINDING_LIGHTS) readonly restrict buffer Lights { LightInfo lights[]; };
-layout(scalar, set = SCENE_SET, binding = BINDING_LIGHT_TABLE) readonly restrict buffer LightTable { LightTableEntry light_table[]; };
-layout(scalar, set = SCENE_SET, binding = BINDING_TEXTURE_HEADERS) readonly restrict buffer TextureHeaders { TextureHeader texture_headers[]; };
 layout(scalar, set = SCENE_SET, binding = BINDING_TEXELS) readonly restrict buffer Texels { uint texels[]; };
 
 #endif

@@ -26,28 +26,25 @@ vec3 srgb_to_linear(vec3 c) {
     return mix(u * u * p, low, lessThanEqual(c, vec3(0.04045)));
 }
 
-vec3 fetch_texel(TextureHeader header, ivec2 position, uint sampling, bool srgb) {
-    int x = wrap_texel(position.x, int(header.width), sampling & 3u);
-    int y = wrap_texel(position.y, int(header.height), (sampling >> 2) & 3u);
-    vec3 value = unpackUnorm4x8(texels[header.first_texel + uint(y) * header.width + uint(x)]).rgb;
+vec3 fetch_texel(TextureSlotInfo slot, ivec2 position, bool srgb) {
+    int x = wrap_texel(position.x, int(slot.width), slot.sampling & 3u);
+    int y = wrap_texel(position.y, int(slot.height), (slot.sampling >> 2) & 3u);
+    vec3 value = unpackUnorm4x8(texels[slot.first_texel + uint(y) * slot.width + uint(x)]).rgb;
     return srgb ? srgb_to_linear(value) : value;
 }
 
 /// Linear value at a texture coordinate, v downwards from the top row.
 vec3 sample_texture(TextureSlotInfo slot, vec2 texcoord, bool srgb) {
-    TextureHeader header = texture_headers[slot.texture];
     // Beyond this range float32 cannot tell texels apart anyway; it keeps the integer conversion defined.
-    vec2 position = clamp(texcoord * vec2(header.width, header.height), vec2(-16777216.0), vec2(16777216.0));
+    vec2 position = clamp(texcoord * vec2(slot.width, slot.height), vec2(-16777216.0), vec2(16777216.0));
     if ((slot.sampling & 16u) == 0u) {
-        return fetch_texel(header, ivec2(floor(position)), slot.sampling, srgb);
+        return fetch_texel(slot, ivec2(floor(position)), srgb);
     }
     vec2 corner = floor(position - 0.5);
     vec2 f = position - 0.5 - corner;
     ivec2 i = ivec2(corner);
-    vec3 top = mix(fetch_texel(header, i, slot.sampling, srgb),
-                   fetch_texel(header, i + ivec2(1, 0), slot.sampling, srgb), f.x);
-    vec3 bottom = mix(fetch_texel(header, i + ivec2(0, 1), slot.sampling, srgb),
-                      fetch_texel(header, i + ivec2(1, 1), slot.sampling, srgb), f.x);
+    vec3 top = mix(fetch_texel(slot, i, srgb), fetch_texel(slot, i + ivec2(1, 0), srgb), f.x);
+    vec3 bottom = mix(fetch_texel(slot, i + ivec2(0, 1), srgb), fetch_texel(slot, i + ivec2(1, 1), srgb), f.x);
     return mix(top, bottom, f.y);
 }
 

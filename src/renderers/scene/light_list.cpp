@@ -86,7 +86,7 @@ class LightList {
             data_.triangle_infos[triangle].light = static_cast<std::uint32_t>(before);
     }
 
-    void finish() { data_.light_table = make_light_table(weights_, data_.lights); }
+    void finish() { make_light_table(weights_, data_.lights); }
 
   private:
     SceneData& data_;

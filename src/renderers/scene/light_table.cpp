@@ -3,16 +3,16 @@
 
 #include "base/check.h"
 
+#include <cstdint>
 #include <numeric>
+#include <vector>
 
 namespace utsuri {
 
-std::vector<interop::LightTableEntry> make_light_table(std::span<const double> weights,
-                                                       std::span<interop::LightInfo> lights) {
+void make_light_table(std::span<const double> weights, std::span<interop::LightInfo> lights) {
     UTSURI_CHECK_EQ(weights.size(), lights.size());
     const std::size_t count = weights.size();
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-    std::vector<interop::LightTableEntry> table(count);
     std::vector<double> scaled(count);
     std::vector<std::uint32_t> small;
     std::vector<std::uint32_t> large;
@@ -26,7 +26,8 @@ std::vector<interop::LightTableEntry> make_light_table(std::span<const double> w
         const std::uint32_t poor = small.back();
         const std::uint32_t rich = large.back();
         small.pop_back();
-        table[poor] = {static_cast<float>(scaled[poor]), rich};
+        lights[poor].threshold = static_cast<float>(scaled[poor]);
+        lights[poor].alias = rich;
         scaled[rich] -= 1.0 - scaled[poor];
         if (scaled[rich] < 1.0) {
             large.pop_back();
@@ -35,10 +36,11 @@ std::vector<interop::LightTableEntry> make_light_table(std::span<const double> w
     }
     // What is left on either side is full up to rounding.
     for (const auto* rest : {&small, &large}) {
-        for (const std::uint32_t i : *rest)
-            table[i] = {1.0f, i};
+        for (const std::uint32_t i : *rest) {
+            lights[i].threshold = 1.0f;
+            lights[i].alias = i;
+        }
     }
-    return table;
 }
 
 }  // namespace utsuri

@@ -24,8 +24,6 @@ std::array<SceneBuffer, kSceneBuffers> scene_buffers(const SceneData& data) {
             of("texcoords", interop::BINDING_TEXCOORDS, data.texcoords),
             of("materials", interop::BINDING_MATERIALS, data.materials),
             of("lights", interop::BINDING_LIGHTS, data.lights),
-            of("light table", interop::BINDING_LIGHT_TABLE, data.light_table),
-            of("texture headers", interop::BINDING_TEXTURE_HEADERS, data.texture_headers),
             of("texels", interop::BINDING_TEXELS, data.texels)};
 }
 

@@ -19,7 +19,7 @@ struct SceneBuffer {
 };
 
 /// All of them, in one order.
-inline constexpr std::size_t kSceneBuffers = 10;
+inline constexpr std::size_t kSceneBuffers = 8;
 std::array<SceneBuffer, kSceneBuffers> scene_buffers(const SceneData& data);
 
 }  // namespace utsuri

@@ -154,8 +154,7 @@ SceneChange find_changes(const Step& step) {
         change.geometry |= moved;
         change.lights |= after.triangle_infos[t].light != interop::NONE;
     }
-    change.lights |=
-        !same_bytes(before.lights, after.lights) || !same_bytes(before.light_table, after.light_table);
+    change.lights |= !same_bytes(before.lights, after.lights);
     const std::optional<std::uint32_t> then = before.environment_light();
     const std::optional<std::uint32_t> now = after.environment_light();
     change.surroundings = now && before.lights[*then].intensity != after.lights[*now].intensity;

@@ -16,6 +16,13 @@
 
 namespace utsuri {
 
+/// Where a texture is among the texels.
+struct TextureHeader {
+    std::uint32_t first_texel;
+    std::uint32_t width;
+    std::uint32_t height;
+};
+
 /// What is known of a packed texture, found when first asked for.
 struct TextureFacts {
     std::optional<TextureRange> range;
@@ -38,11 +45,10 @@ struct SceneData {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> texcoords;  ///< only with textures
     std::vector<interop::MaterialInfo> materials;
-    std::vector<interop::LightInfo> lights;  ///< surroundings, punctual ones, then triangles
-    std::vector<interop::LightTableEntry> light_table;
-    std::vector<interop::TextureHeader> texture_headers;  ///< only textures in use
-    std::vector<std::uint32_t> texels;                    ///< RGBA8, red in the lowest byte
-    double build_seconds = 0.0;                           ///< of the BVH, or of what its last change took
+    std::vector<interop::LightInfo> lights;      ///< surroundings, punctual ones, then triangles
+    std::vector<TextureHeader> texture_headers;  ///< only textures in use; of the host alone
+    std::vector<std::uint32_t> texels;           ///< RGBA8, red in the lowest byte
+    double build_seconds = 0.0;                  ///< of the BVH, or of what its last change took
     /// Changes of what light falls on surfaces since the scene was prepared; one that SceneChange::rebuilt
     /// counts twice, so that light kept from before it is never taken for light of one change before.
     std::uint32_t light_revision = 0;

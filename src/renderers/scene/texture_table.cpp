@@ -67,10 +67,13 @@ const Texture& TextureTable::texture(std::size_t header) const {
 }
 
 interop::TextureSlotInfo TextureTable::slot(const TextureSlot& slot) const {
-    if (!slot.used()) return {interop::NONE, 0};
-    return {indices_[static_cast<std::size_t>(slot.texture)],
-            static_cast<std::uint32_t>(slot.wrap_s) | (static_cast<std::uint32_t>(slot.wrap_t) << 2) |
-                (static_cast<std::uint32_t>(slot.filter) << 4)};
+    if (!slot.used()) return {interop::NONE, 0, 0, 0, 0};
+    const std::uint32_t index = indices_[static_cast<std::size_t>(slot.texture)];
+    const TextureHeader& header = headers_[index];
+    const std::uint32_t sampling = static_cast<std::uint32_t>(slot.wrap_s) |
+                                   (static_cast<std::uint32_t>(slot.wrap_t) << 2) |
+                                   (static_cast<std::uint32_t>(slot.filter) << 4);
+    return {index, sampling, header.first_texel, header.width, header.height};
 }
 
 TextureChange pack_textures(const TextureTable& table, SceneData& data) {

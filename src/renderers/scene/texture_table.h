@@ -14,7 +14,7 @@ class TextureTable {
   public:
     explicit TextureTable(const Scene& scene);
 
-    [[nodiscard]] const std::vector<interop::TextureHeader>& headers() const { return headers_; }
+    [[nodiscard]] const std::vector<TextureHeader>& headers() const { return headers_; }
     /// Of the scene's textures, the one that a header is of.
     [[nodiscard]] std::uint32_t source(std::size_t header) const { return sources_[header]; }
     [[nodiscard]] const Texture& texture(std::size_t header) const;
@@ -26,7 +26,7 @@ class TextureTable {
     void add(const TextureSlot& slot);
 
     const Scene& scene_;
-    std::vector<interop::TextureHeader> headers_;
+    std::vector<TextureHeader> headers_;
     std::vector<std::uint32_t> sources_;
     std::vector<std::uint32_t> indices_;  ///< of each texture's header, or interop::NONE
     std::uint64_t texels_ = 0;

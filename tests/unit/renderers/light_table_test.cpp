@@ -15,7 +15,7 @@ double rounding(std::size_t entries) {
     return static_cast<double>(entries + 1) * 0x1p-24;
 }
 
-std::vector<double> chances(const std::vector<interop::LightTableEntry>& table) {
+std::vector<double> chances(const std::vector<interop::LightInfo>& table) {
     std::vector<double> result(table.size(), 0.0);
     const double each = 1.0 / static_cast<double>(table.size());
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -31,7 +31,8 @@ std::vector<double> chances(const std::vector<interop::LightTableEntry>& table) 
 
 void expect_proportional(const std::vector<double>& weights) {
     std::vector<interop::LightInfo> lights(weights.size());
-    const std::vector<double> found = chances(make_light_table(weights, lights));
+    make_light_table(weights, lights);
+    const std::vector<double> found = chances(lights);
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     double probabilities = 0.0;
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -60,14 +61,14 @@ TEST(LightTable, FindsTheBrightOneAmongMany) {
 
 TEST(LightTable, NeverPicksALightWithoutWeight) {
     std::vector<interop::LightInfo> lights(4);
-    const std::vector<double> found =
-        chances(make_light_table(std::vector<double>{0.0, 2.0, 0.0, 1.0}, lights));
+    make_light_table(std::vector<double>{0.0, 2.0, 0.0, 1.0}, lights);
+    const std::vector<double> found = chances(lights);
     EXPECT_EQ(found[0], 0.0);
     EXPECT_EQ(found[2], 0.0);
 }
 
-TEST(LightTable, OfNothingIsEmpty) {
-    EXPECT_TRUE(make_light_table({}, {}).empty());
+TEST(LightTable, TakesNoLightsAtAll) {
+    EXPECT_NO_THROW(make_light_table({}, {}));
 }
 
 TEST(LightTable, RefusesWeightsThatAreAllZero) {

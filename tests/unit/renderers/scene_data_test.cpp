@@ -92,7 +92,6 @@ TEST(SceneData, LeavesOutLightsThatCannotShine) {
     scene.lights = {light_of(LightType::point, 0.0f)};
     const SceneData data = prepare_scene_data(scene);
     EXPECT_TRUE(data.lights.empty());
-    EXPECT_TRUE(data.light_table.empty());
     for (const interop::TriangleInfo& info : data.triangle_infos)
         EXPECT_EQ(info.light, interop::NONE);
 }
@@ -135,12 +134,12 @@ TEST(SceneData, PacksOnlyTexturesThatAreReferredTo) {
     ASSERT_EQ(data.texture_headers.size(), 2u);
     ASSERT_EQ(data.texels.size(), 4u);
     const interop::MaterialInfo& info = data.materials[0];
-    const interop::TextureHeader& base_colour = data.texture_headers[info.base_colour_texture.texture];
+    const interop::TextureSlotInfo& base_colour = info.base_colour_texture;
     EXPECT_EQ(base_colour.width, 2u);
     EXPECT_EQ(data.texels[base_colour.first_texel], 0x33323130u) << "red in the lowest byte";
     EXPECT_EQ(info.base_colour_texture.sampling, 2u | (1u << 2) | (0u << 4));
     EXPECT_EQ(info.emissive_texture.sampling, 1u << 4);
-    EXPECT_EQ(data.texels[data.texture_headers[info.emissive_texture.texture].first_texel + 1], 0x17161514u);
+    EXPECT_EQ(data.texels[info.emissive_texture.first_texel + 1], 0x17161514u);
 }
 
 TEST(SceneData, TakesMeansOfTexturesOverTheirColours) {
@@ -170,10 +169,10 @@ TEST(SceneData, PredictsItsSizeOnTheDevice) {
     Scene scene;
     test::add(scene, square(0.0f), test::emitter(glm::vec3(1.0f)));
     const SceneData data = prepare_scene_data(scene);
-    const std::uint64_t expected = sizeof(interop::BvhNode) +
-                                   2 * (sizeof(interop::BvhTriangle) + sizeof(interop::TriangleInfo) +
-                                        sizeof(interop::LightInfo) + sizeof(interop::LightTableEntry)) +
-                                   4 * sizeof(glm::vec3) + sizeof(interop::MaterialInfo);
+    const std::uint64_t expected =
+        sizeof(interop::BvhNode) +
+        2 * (sizeof(interop::BvhTriangle) + sizeof(interop::TriangleInfo) + sizeof(interop::LightInfo)) +
+        4 * sizeof(glm::vec3) + sizeof(interop::MaterialInfo);
     EXPECT_EQ(data.device_bytes(), expected);
 }
 
