@@ -375,6 +375,7 @@ TEST_F(Degenerate, EyeInThePlaneOfTheMirrorDoesNotSeeIt) {
     expect_lit(bare);
     const MapSettings maps{16, 2, {}};
     const Image drawn = render_with_maps(device(), scene, camera, kSettings, MapKind::cube, maps, 2).image;
+    expect_lit(drawn);
     add(scene, quad(glm::vec3(2, 0.5f, 0.5f), glm::vec3(0, 2, 0), glm::vec3(0, 0, 1.5f)), mirror());
     EXPECT_TRUE(trace(device(), scene, camera, kSettings, 2).image.pixels == bare.pixels);
     DrawnScene with_mirror(device(), scene);
