@@ -52,7 +52,10 @@ class GlossyMapping : public DeviceTest {
     }
 };
 
-TEST_F(GlossyMapping, UniformSurroundingsStayUniformToTheBit) {
+/// Surroundings that shine evenly.
+class GlossyFurnace : public GlossyMapping {};
+
+TEST_F(GlossyFurnace, UniformSurroundingsStayUniformToTheBit) {
     for (const double alpha : {0.02, 0.2, 1.0}) {
         Scene scene;
         scene.environment = glm::vec3(1.0f, 0.5f, 0.25f);
@@ -64,8 +67,11 @@ TEST_F(GlossyMapping, UniformSurroundingsStayUniformToTheBit) {
     }
 }
 
+/// Lights whose share of a lobe is found by quadrature.
+class GlossyLights : public GlossyMapping {};
+
 // A half space that shines: the lobe is bright by the share of it that reaches there.
-TEST_F(GlossyMapping, AHalfSpaceMatchesQuadrature) {
+TEST_F(GlossyLights, AHalfSpaceMatchesQuadrature) {
     for (const double alpha : {0.05, 0.25, 1.0}) {
         SCOPED_TRACE(alpha);
         Scene scene;
@@ -78,9 +84,9 @@ TEST_F(GlossyMapping, AHalfSpaceMatchesQuadrature) {
     }
 }
 
-// A light of 5 degrees, 1000 times as bright as the widest lobe makes it: its light is spread, not lost,
-// and no texel is lit by chance.
-TEST_F(GlossyMapping, ASmallBrightLightMatchesQuadrature) {
+// A light of 5 degrees, 1000 times as bright as the widest lobe makes it: its light is spread, not lost, and
+// no texel is lit by chance.
+TEST_F(GlossyLights, ASmallBrightLightMatchesQuadrature) {
     constexpr float kRadiance = 1000.0f;
     constexpr double kHalf = 0.05;
     for (const double alpha : {0.1, 0.3, 1.0}) {
@@ -116,7 +122,7 @@ TEST_F(GlossyMapping, ASmallBrightLightMatchesQuadrature) {
 }
 
 // White furnace: the pixel is the directional albedo, for every way to look maps up.
-TEST_F(GlossyMapping, FurnaceShowsTheDirectionalAlbedo) {
+TEST_F(GlossyFurnace, FurnaceShowsTheDirectionalAlbedo) {
     struct Row {
         double alpha;
         std::array<double, 3> albedo;
@@ -145,7 +151,7 @@ TEST_F(GlossyMapping, FurnaceShowsTheDirectionalAlbedo) {
 }
 
 // A rough dielectric in the furnace: what its lobe takes is lost to its Lambert part.
-TEST_F(GlossyMapping, ADielectricAgreesWithTracing) {
+TEST_F(GlossyFurnace, ADielectricAgreesWithTracing) {
     Material material = lambert(glm::vec3(0.6f));
     material.specular = 1.0f;
     for (const float roughness : {0.3f, 0.7f}) {
@@ -283,8 +289,10 @@ TEST_F(GlossyBall, InARoomIsCloserToTracingOfItsRoughnessTheMoreIsKnown) {
     }
 }
 
+class GlossyBallByACabinet : public GlossyBall {};
+
 // A cabinet a hand's breadth from the ball is no wall of a box.
-TEST_F(GlossyBall, NearACabinetIsCloserToTracingByDistancesThanByABox) {
+TEST_F(GlossyBallByACabinet, IsCloserToTracingByDistancesThanByABox) {
     for (const float roughness : {0.15f, 0.3f}) {
         Scene scene = lit_room();
         add(scene, block({0.4f, 0, -0.6f}, {1.0f, 1.8f, 0.8f}), lambert({0.1f, 0.2f, 0.9f}));
