@@ -345,27 +345,37 @@ TEST_F(PredictedErrorsOfABall, AreWhatIsMeasuredWhereDistancesTellAll) {
     }
 }
 
-TEST_F(PredictedErrors, Everything) {
+// One suite for each scene: they take some 20 s each.
+class PredictedErrorsAmongEverything : public PredictedErrors {};
+TEST_F(PredictedErrorsAmongEverything, AreBounds) {
     expect_bounds(everything_scene(), {});
 }
-TEST_F(PredictedErrors, Office) {
+
+class PredictedErrorsInTheOffice : public PredictedErrors {};
+TEST_F(PredictedErrorsInTheOffice, AreBounds) {
     expect_bounds_of("office");
 }
-TEST_F(PredictedErrors, Spheres) {
+
+class PredictedErrorsAmongSpheres : public PredictedErrors {};
+TEST_F(PredictedErrorsAmongSpheres, AreBounds) {
     expect_bounds_of("spheres");
 }
-class PredictedErrorsOfRooms : public PredictedErrors {};
 
-TEST_F(PredictedErrorsOfRooms, CurvedMirror) {
+class PredictedErrorsOfACurvedMirror : public PredictedErrors {};
+TEST_F(PredictedErrorsOfACurvedMirror, AreBounds) {
     expect_bounds_of("curved-mirror", {5, 1, true, false});
 }
-TEST_F(PredictedErrorsOfRooms, MirrorCornell) {
+
+class PredictedErrorsOfPlaneMirrors : public PredictedErrors {};
+TEST_F(PredictedErrorsOfPlaneMirrors, AreBoundsInTheCornellBox) {
     expect_bounds_of("mirror-cornell", {3, 1});
 }
-TEST_F(PredictedErrorsOfRooms, MirrorCorridor) {
+TEST_F(PredictedErrorsOfPlaneMirrors, AreBoundsInACorridor) {
     expect_bounds_of("mirror-corridor", {3, 1, false, false});
 }
-TEST_F(PredictedErrorsOfRooms, ClutteredMirrorFromSeveralProbes) {
+
+class PredictedErrorsFromSeveralProbes : public PredictedErrors {};
+TEST_F(PredictedErrorsFromSeveralProbes, AreBoundsInAClutteredRoom) {
     expect_bounds_of("cluttered-mirror", {3, 4, false, false});
 }
 
