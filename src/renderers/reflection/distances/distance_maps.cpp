@@ -7,6 +7,7 @@
 #include "renderers/scene/scene_triangles.h"
 
 #include "base/error.h"
+#include "base/same_bits.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
@@ -19,7 +20,6 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
-#include <cstring>
 #include <span>
 #include <utility>
 
@@ -55,6 +55,7 @@ std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const Sce
 
 std::vector<float> horizons_of(const SceneData& data, const std::vector<std::uint32_t>& triangles) {
     std::vector<Corners> surface;
+    surface.reserve(triangles.size());
     for (const std::uint32_t triangle : triangles)
         surface.push_back(corners_of(data, triangle));
     return self_horizons(surface);
@@ -121,7 +122,7 @@ void DistanceMaps::reuse_from(DistanceMaps& previous) {
         const std::size_t probe = face / interop::DISTANCE_FACES;
         captured_[face] = previous.captured_[face] && previous.instances_[probe] == instances_[probe] &&
                           previous.probes_[probe].capture_point == probes_[probe].capture_point &&
-                          std::memcmp(&previous.infos_[probe], &infos_[probe], sizeof(infos_[probe])) == 0;
+                          same_bits(previous.infos_[probe], infos_[probe]);
     }
 }
 

@@ -57,7 +57,7 @@ Bindings scene_bindings(const GpuScene& scene, const SurfaceLight& light) {
 }  // namespace
 
 std::uint64_t prefiltered_texels(std::uint32_t level_size) {
-    const std::uint64_t stride = std::uint64_t{level_size} + 2 * interop::GLOSSY_MAP_BORDER;
+    const std::uint64_t stride = std::uint64_t{level_size} + std::uint64_t{2} * interop::GLOSSY_MAP_BORDER;
     return kFaces * stride * stride;
 }
 

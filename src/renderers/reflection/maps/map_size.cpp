@@ -140,6 +140,7 @@ std::vector<std::uint32_t> fit_map_sizes(const SceneData& scene, const Reflector
         }
     }
     std::vector<std::uint32_t> sizes;
+    sizes.reserve(angles.size());
     for (std::vector<double>& of_probe : angles)
         sizes.push_back(size_for(of_probe, texel_angle, most));
     return sizes;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/maps/seen_changes.h"
 
+#include "base/same_bits.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 namespace utsuri {
@@ -70,8 +71,7 @@ bool SeenChanges::has_moved(std::uint32_t instance) const {
     for (std::size_t i = 0; i < change_.triangles.size(); ++i) {
         const std::uint32_t triangle = change_.triangles[i];
         if (data_.triangle_infos[triangle].instance == instance &&
-            std::memcmp(&data_.bvh.triangles[triangle], &change_.before[i], sizeof(interop::BvhTriangle)) !=
-                0)
+            !same_bits(data_.bvh.triangles[triangle], change_.before[i]))
             return true;
     }
     return false;

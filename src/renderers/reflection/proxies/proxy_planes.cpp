@@ -137,22 +137,26 @@ std::vector<HalfSpace> without_idle(const std::vector<SurroundingsSample>& sampl
     return planes;
 }
 
+/// least_share() of each sample.
+std::vector<double> least_shares(const std::vector<SurroundingsSample>& samples, const std::vector<HalfSpace>& planes) {
+    std::vector<double> shares;
+    shares.reserve(samples.size());
+    for (const SurroundingsSample& sample : samples)
+        shares.push_back(least_share(sample, planes));
+    return shares;
+}
+
 }  // namespace
 
 double mean_misfit(const std::vector<SurroundingsSample>& samples, const std::vector<HalfSpace>& planes) {
-    std::vector<double> shares;
-    for (const SurroundingsSample& sample : samples)
-        shares.push_back(least_share(sample, planes));
-    return mean_log(shares);
+    return mean_log(least_shares(samples, planes));
 }
 
 std::vector<HalfSpace> fit_proxy_planes(const SceneData& scene, const Surroundings& around) {
     const std::vector<SurroundingsSample>& samples = around.samples;
     const std::vector<HalfSpace> candidates = holding_starts(around, seen_planes(scene, around));
     std::vector<HalfSpace> planes = sides_of_scene(around);
-    std::vector<double> shares;
-    for (const SurroundingsSample& sample : samples)
-        shares.push_back(least_share(sample, planes));
+    std::vector<double> shares = least_shares(samples, planes);
     double misfit = mean_log(shares);
     for (std::size_t added = 0; added < kMostAdded; ++added) {
         const HalfSpace* best = nullptr;
