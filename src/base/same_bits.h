@@ -4,7 +4,9 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstring>
 #include <type_traits>
+#include <vector>
 
 namespace utsuri {
 
@@ -15,6 +17,14 @@ requires std::is_trivially_copyable_v<Record>
 bool same_bits(const Record& a, const Record& b) {
     using Bytes = std::array<std::byte, sizeof(Record)>;
     return std::bit_cast<Bytes>(a) == std::bit_cast<Bytes>(b);
+}
+
+/// The same of as many records each.
+template <typename Record>
+requires std::is_trivially_copyable_v<Record>
+bool same_bits(const std::vector<Record>& a, const std::vector<Record>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Record)) == 0);
 }
 
 }  // namespace utsuri

@@ -129,14 +129,16 @@ void ChangedSceneOfMethods::expect_as_if_it_had_always_been_so(
 
 class ChangedSceneByDirections : public ChangedSceneOfMethods {};
 TEST_F(ChangedSceneByDirections, LooksAsIfItHadAlwaysBeenSo) {
-    expect_as_if_it_had_always_been_so(
-        [](const DrawnMethod& method) { return !method.draws_mirrored_views && looks_up_directions(method); });
+    expect_as_if_it_had_always_been_so([](const DrawnMethod& method) {
+        return !method.draws_mirrored_views && looks_up_directions(method);
+    });
 }
 
 class ChangedSceneByPlaces : public ChangedSceneOfMethods {};
 TEST_F(ChangedSceneByPlaces, LooksAsIfItHadAlwaysBeenSo) {
-    expect_as_if_it_had_always_been_so(
-        [](const DrawnMethod& method) { return !method.draws_mirrored_views && !looks_up_directions(method); });
+    expect_as_if_it_had_always_been_so([](const DrawnMethod& method) {
+        return !method.draws_mirrored_views && !looks_up_directions(method);
+    });
 }
 
 class ChangedSceneInImages : public ChangedSceneOfMethods {};

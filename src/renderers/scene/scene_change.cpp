@@ -3,11 +3,12 @@
 
 #include "renderers/scene/light_list.h"
 #include "renderers/scene/material_list.h"
-#include "renderers/scene/same_bytes.h"
 #include "renderers/scene/scene_buffers.h"
 #include "renderers/scene/scene_constants.h"
 #include "renderers/scene/scene_geometry.h"
 #include "renderers/scene/texture_table.h"
+
+#include "base/same_bits.h"
 
 #include "interop/bindings.h"
 
@@ -98,7 +99,7 @@ std::string differing_requirement(const Step& step) {
 bool has_moved(const Step& step, std::uint32_t triangle) {
     if (step.geometry == GeometryChange::none) return false;
     if (!step.keeps(interop::BINDING_BVH_TRIANGLES) &&
-        !same_bytes(step.before.bvh.triangles[triangle], step.after.bvh.triangles[triangle]))
+        !same_bits(step.before.bvh.triangles[triangle], step.after.bvh.triangles[triangle]))
         return true;
     const glm::uvec3& vertices = step.after.triangle_infos[triangle].vertices;
     for (int corner = 0; corner < 3; ++corner) {
@@ -128,7 +129,7 @@ std::vector<bool> same_materials(const Step& step) {
     for (std::size_t i = 0; i < step.after.materials.size(); ++i) {
         const interop::MaterialInfo& material = step.after.materials[i];
         same.push_back(
-            same_bytes(step.before.materials[i], material) && same_texels(material.base_colour_texture) &&
+            same_bits(step.before.materials[i], material) && same_texels(material.base_colour_texture) &&
             same_texels(material.metallic_roughness_texture) && same_texels(material.emissive_texture));
     }
     return same;
@@ -154,7 +155,7 @@ SceneChange find_changes(const Step& step) {
         change.geometry |= moved;
         change.lights |= after.triangle_infos[t].light != interop::NONE;
     }
-    change.lights |= !same_bytes(before.lights, after.lights);
+    change.lights |= !same_bits(before.lights, after.lights);
     const std::optional<std::uint32_t> then = before.environment_light();
     const std::optional<std::uint32_t> now = after.environment_light();
     change.surroundings = now && before.lights[*then].intensity != after.lights[*now].intensity;

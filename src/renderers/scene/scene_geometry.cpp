@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/scene/scene_geometry.h"
 
-#include "renderers/scene/same_bytes.h"
+#include "base/same_bits.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,8 +11,8 @@ namespace utsuri {
 namespace {
 
 bool same_mesh(const Mesh& a, const Mesh& b) {
-    return same_bytes(a.positions, b.positions) && same_bytes(a.normals, b.normals) &&
-           same_bytes(a.texcoords, b.texcoords) && same_bytes(a.triangles, b.triangles);
+    return same_bits(a.positions, b.positions) && same_bits(a.normals, b.normals) &&
+           same_bits(a.texcoords, b.texcoords) && same_bits(a.triangles, b.triangles);
 }
 
 bool same_place(const Instance& a, const Instance& b) {
@@ -65,7 +65,7 @@ bool at_same_place(const SceneData& before, const WorldGeometry& world) {
         const glm::uvec3& vertices = world.triangles[before.bvh.order[t]];
         const interop::BvhTriangle now = {world.positions[vertices.x], world.positions[vertices.y],
                                           world.positions[vertices.z]};
-        if (!same_bytes(now, before.bvh.triangles[t])) return false;
+        if (!same_bits(now, before.bvh.triangles[t])) return false;
     }
     return true;
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/scene/texture_table.h"
 
-#include "renderers/scene/same_bytes.h"
-
 #include "base/check.h"
+#include "base/same_bits.h"
 
 #include <array>
 #include <bit>
@@ -79,7 +78,7 @@ interop::TextureSlotInfo TextureTable::slot(const TextureSlot& slot) const {
 TextureChange pack_textures(const TextureTable& table, SceneData& data) {
     TextureChange change;
     const std::size_t count = table.headers().size();
-    change.laid_out = !same_bytes(table.headers(), data.texture_headers);
+    change.laid_out = !same_bits(table.headers(), data.texture_headers);
     change.textures.resize(count, change.laid_out);
     if (!change.laid_out) {
         for (std::size_t i = 0; i < count; ++i)

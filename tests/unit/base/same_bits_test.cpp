@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <vector>
 
 namespace utsuri {
 namespace {
@@ -18,6 +19,15 @@ TEST(SameBits, HoldsForCopies) {
     const Record copy = record;
     EXPECT_TRUE(same_bits(record, copy));
     EXPECT_FALSE(same_bits(record, Record{.value = 1.5f, .number = 4}));
+}
+
+TEST(SameBits, HoldsForListsOfTheSameRecords) {
+    const std::vector<Record> none;
+    const std::vector<Record> two{{.value = 1.5f, .number = 3}, {.value = 2.5f, .number = 4}};
+    EXPECT_TRUE(same_bits(none, none));
+    EXPECT_TRUE(same_bits(two, std::vector<Record>(two)));
+    EXPECT_FALSE(same_bits(two, none));
+    EXPECT_FALSE(same_bits(two, std::vector<Record>{two.front(), {.value = 2.5f, .number = 5}}));
 }
 
 TEST(SameBits, TellsSignsOfZeros) {

@@ -138,7 +138,8 @@ std::vector<HalfSpace> without_idle(const std::vector<SurroundingsSample>& sampl
 }
 
 /// least_share() of each sample.
-std::vector<double> least_shares(const std::vector<SurroundingsSample>& samples, const std::vector<HalfSpace>& planes) {
+std::vector<double> least_shares(const std::vector<SurroundingsSample>& samples,
+                                 const std::vector<HalfSpace>& planes) {
     std::vector<double> shares;
     shares.reserve(samples.size());
     for (const SurroundingsSample& sample : samples)
