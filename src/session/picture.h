@@ -29,8 +29,7 @@ struct PictureSettings {
 
 /// A view of a session's scene by one method, rendered sample by sample. It follows the scene: after
 /// Session::set_scene() it holds no samples, and the next ones are of the scene as it is. It keeps alive what
-/// it needs of its session. Move-only;
-/// one that was moved from may only be assigned to or destroyed.
+/// it needs of its session. Move-only; one that was moved from may only be assigned to or destroyed.
 class Picture {
   public:
     Picture(Picture&& other) noexcept;
