@@ -184,8 +184,8 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->capture_default_str();
     command.add_flag(
         "--kept-light", options.kept_light,
-        "Light traced pictures, too, from the light kept on surfaces: what methods differ by is then "
-        "due to their reflections alone");
+        "Light traced pictures, too, from the light kept on surfaces: methods then differ by their "
+        "reflections");
     command
         .add_option("--capture-point", options.capture_point,
                     "Where maps are captured, in metres [centre of each reflective object]")
