@@ -36,7 +36,7 @@ class Buffer {
     [[nodiscard]] const std::string& name() const { return name_; }
 
     void upload(std::span<const std::byte> bytes, std::uint64_t offset = 0);
-    /// Many at once cost about as much as one of their bytes together.
+    /// Many at once, which must not overlap, cost about as much as one of their bytes together.
     void upload(std::span<const Upload> uploads);
     void download(std::span<std::byte> bytes, std::uint64_t offset = 0) const;
     void fill_with_zero();

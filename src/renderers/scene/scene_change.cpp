@@ -21,7 +21,7 @@
 namespace utsuri {
 namespace {
 
-/// Data before and after a change. What stayed was moved over, so it is not to be read before.
+/// Data before and after a change. Arrays that stayed were moved over: there are none of them before.
 struct Step {
     const SceneData& before;
     const SceneData& after;
@@ -110,7 +110,7 @@ bool has_moved(const Step& step, std::uint32_t triangle) {
 
 /// Whether other parts of textures are on a triangle.
 bool has_other_texcoords(const Step& step, std::uint32_t triangle) {
-    if (step.geometry == GeometryChange::none || step.after.texcoords.empty()) return false;
+    if (step.geometry == GeometryChange::none) return false;
     const interop::TriangleInfo& info = step.after.triangle_infos[triangle];
     if (!step.after.requirements.surfaces[info.material].textured) return false;
     for (int corner = 0; corner < 3; ++corner) {
