@@ -56,8 +56,8 @@ class CliCase(unittest.TestCase):
     def reflections(self):
         """All names that --reflection takes, as the program's help has them."""
         text = " ".join(self.succeed("render", "--help").stdout.split())
-        listed = re.search(r" Reflections: (.*?) --", text).group(1)
-        return re.split(r", | or ", re.sub(r" \(.*?\)", "", listed))
+        listed = re.search(r" How reflections are found: (.*?) --", text).group(1)
+        return re.sub(r" \(.*?\)", "", listed).split(", ")
 
     def run_program(self, *arguments, environment=None):
         """The finished process. It works in the scratch folder, so relative paths land there."""

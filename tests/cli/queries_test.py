@@ -9,7 +9,7 @@ from cli_case import CliCase
 SUBCOMMANDS = ("compare", "render", "info", "diff", "devices")
 # Options without a default: they ask for something that else does not happen.
 WITHOUT_DEFAULT = {"--help", "--quiet", "--json", "--fail-above", "--time", "--noise", "--aov", "--error-map",
-                   "--within", "--error", "--predictions"}
+                   "--within", "--error", "--predictions", "--kept-light"}
 UNITS = {"--size": "pixels", "--exposure": "stops", "--capture-point": "metres", "--map-size": "Texels",
          "--map-spp": "per texel", "--spp": "per pixel", "--reference-spp": "per pixel", "--time": "500ms"}
 # As counted by the scenes' own generators.
