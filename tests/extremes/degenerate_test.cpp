@@ -197,7 +197,10 @@ TEST_F(Degenerate, EmptySceneShowsTheSurroundings) {
     });
 }
 
-TEST_F(Degenerate, SceneWithoutLightIsBlack) {
+/// No light, and lights at odd places.
+class DegenerateLights : public Degenerate {};
+
+TEST_F(DegenerateLights, SceneWithoutLightIsBlack) {
     Scene scene;
     add(scene, icosphere(glm::vec3(0), 1.0f, 1), mirror());
     render_all(scene, {look_at(glm::dvec3(0, 0, 5), glm::dvec3(0))}, all_are(0.0f));
@@ -292,7 +295,7 @@ TEST_F(Degenerate, VertexNormalsThatCancelOrPointInside) {
     render_all(spoilt(shining_scene()), {everything_camera()}, expect_shining);
 }
 
-TEST_F(Degenerate, LightInASurfaceAndAtTheEye) {
+TEST_F(DegenerateLights, LightInASurfaceAndAtTheEye) {
     Scene scene = everything_scene();
     scene.lights[0].position = glm::dvec3(0.0, 0.0, 0.0);
     scene.lights[1].position = everything_camera().position;
@@ -300,7 +303,7 @@ TEST_F(Degenerate, LightInASurfaceAndAtTheEye) {
 }
 
 // Nothing is in a shadow that the eye sees.
-TEST_F(Degenerate, LightAtTheEyeLightsAllThatIsSeen) {
+TEST_F(DegenerateLights, LightAtTheEyeLightsAllThatIsSeen) {
     const Camera eye = everything_camera();
     const LitRoom lit(eye.position);
     render_all(lit.scene(), {eye}, [&](const Image& image, std::optional<MapKind>) {
@@ -313,7 +316,7 @@ TEST_F(Degenerate, LightAtTheEyeLightsAllThatIsSeen) {
 }
 
 // It is on either side of the surface, so that walls are lit by it or not; the surface itself is not.
-TEST_F(Degenerate, LightInASurfaceIsNoBrighterThanBeforeIt) {
+TEST_F(DegenerateLights, LightInASurfaceIsNoBrighterThanBeforeIt) {
     const Camera eye = look_at(glm::dvec3(0.3, 2.0, 1.5), glm::dvec3(0.2, 0.6, -2.5));
     const LitRoom lit(glm::dvec3(0.1, 0.0, -0.2));
     render_all(lit.scene(), {eye}, [&](const Image& image, std::optional<MapKind>) {

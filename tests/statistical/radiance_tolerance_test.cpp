@@ -196,13 +196,19 @@ TEST_F(RadianceTolerance, GlossyLobesAreTraced) {
     EXPECT_GT(share_with(1.0f), diffuse + 0.1);
 }
 
-TEST_F(RadianceTolerance, HoldsAmongEverything) {
+// One suite for each scene: they take some 20 s each.
+class RadianceToleranceAmongEverything : public RadianceTolerance {};
+TEST_F(RadianceToleranceAmongEverything, Holds) {
     expect_tolerances_hold(everything_scene());
 }
-TEST_F(RadianceTolerance, HoldsInTheOffice) {
+
+class RadianceToleranceInTheOffice : public RadianceTolerance {};
+TEST_F(RadianceToleranceInTheOffice, Holds) {
     expect_tolerances_hold(scene_file("office"));
 }
-TEST_F(RadianceTolerance, HoldsAmongSpheres) {
+
+class RadianceToleranceAmongSpheres : public RadianceTolerance {};
+TEST_F(RadianceToleranceAmongSpheres, Holds) {
     expect_tolerances_hold(scene_file("spheres"));
 }
 
