@@ -32,6 +32,7 @@ Scene brighter(Scene scene, float factor) {
 }
 
 class Scale : public DeviceTest {};
+class ScaleOfMaps : public DeviceTest {};
 
 TEST_F(Scale, TracedPictureIsTheSameBits) {
     const Image original =
@@ -45,7 +46,7 @@ TEST_F(Scale, TracedPictureIsTheSameBits) {
     }
 }
 
-TEST_F(Scale, MappedPicturesAreTheSameBits) {
+TEST_F(ScaleOfMaps, AreTheSameBits) {
     const MapSettings maps{24, 2, {}, 3};
     DrawnScene original(device(), everything_scene());
     std::map<int, DrawnScene> others;
@@ -84,7 +85,7 @@ TEST_F(Scale, LightTimesAPowerOfTwoScalesThePictureExactly) {
     }
 }
 
-TEST_F(Scale, LightTimesAPowerOfTwoScalesMappedPicturesExactly) {
+TEST_F(ScaleOfMaps, FollowsLightTimesAPowerOfTwoExactly) {
     const MapSettings maps{16, 2, {}};
     const Camera camera = everything_camera();
     DrawnScene original(device(), everything_scene());
