@@ -114,7 +114,11 @@ GeometryChange follow_geometry(SceneData& before, const Scene& scene, SceneData&
     }
     describe(scene, std::move(world), data);
     data.geometry_source.instances = scene.instances;
-    data.geometry_source.meshes = kept_meshes ? std::move(before.geometry_source.meshes) : scene.meshes;
+    if (kept_meshes) {
+        data.geometry_source.meshes = std::move(before.geometry_source.meshes);
+    } else {
+        data.geometry_source.meshes = scene.meshes;
+    }
     return stays ? GeometryChange::attributes : GeometryChange::moved;
 }
 
