@@ -101,7 +101,7 @@ Requirements find_requirements(const Scene& scene, const TextureTable& table,
     TextureRanges ranges(scene.textures.size());
     for (std::size_t i = 0; i < facts.size(); ++i)
         ranges[table.source(i)] = facts[i].range;
-    const Requirements needs = find_requirements(scene, ranges);
+    Requirements needs = find_requirements(scene, ranges);
     for (std::size_t i = 0; i < facts.size(); ++i)
         facts[i].range = ranges[table.source(i)];
     return needs;
