@@ -105,8 +105,8 @@ NoiseEstimate Picture::noise() const {
 }
 
 const RenderStatistics& Picture::statistics() const {
-    static const RenderStatistics kNone;
-    return state_->renderer ? state_->renderer->statistics() : kNone;
+    static const RenderStatistics none;
+    return state_->renderer ? state_->renderer->statistics() : none;
 }
 
 bool Picture::draw_frame() {
