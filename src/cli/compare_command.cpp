@@ -3,10 +3,10 @@
 #include "cli/output.h"
 #include "cli/progress_line.h"
 #include "cli/scene_session.h"
-#include "compare/comparison_json.h"
-#include "compare/comparison_table.h"
-#include "compare/run_comparison.h"
-#include "compare/write_comparison.h"
+#include "compare/comparison/comparison_json.h"
+#include "compare/comparison/comparison_table.h"
+#include "compare/comparison/run_comparison.h"
+#include "compare/comparison/write_comparison.h"
 
 #include "base/file.h"
 

@@ -2,8 +2,8 @@
 #include "cli/command.h"
 #include "cli/output.h"
 #include "cli/scene_session.h"
-#include "compare/comparison_json.h"
-#include "compare/comparison_table.h"
+#include "compare/comparison/comparison_json.h"
+#include "compare/comparison/comparison_table.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/command.h"
 #include "cli/output.h"
-#include "compare/comparison_json.h"
-#include "compare/error_metric.h"
+#include "compare/comparison/comparison_json.h"
+#include "compare/trade/error_metric.h"
 
 #include "image/error_map.h"
 #include "image/metrics.h"

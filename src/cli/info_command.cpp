@@ -2,7 +2,7 @@
 #include "cli/command.h"
 #include "cli/output.h"
 #include "cli/scene_session.h"
-#include "compare/comparison_table.h"
+#include "compare/comparison/comparison_table.h"
 #include "renderers/film/film.h"
 #include "renderers/light/direct/lattice_plan.h"
 #include "renderers/reflection/distances/distance_maps.h"

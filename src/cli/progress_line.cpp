@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/progress_line.h"
 
-#include "compare/comparison_table.h"
+#include "compare/comparison/comparison_table.h"
 
 #include <fmt/format.h>
 

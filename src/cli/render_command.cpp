@@ -5,8 +5,8 @@
 #include "cli/progress_line.h"
 #include "cli/scene_session.h"
 #include "cli/trade_choice.h"
-#include "compare/comparison_json.h"
-#include "compare/comparison_table.h"
+#include "compare/comparison/comparison_json.h"
+#include "compare/comparison/comparison_table.h"
 
 #include "base/file.h"
 #include "base/version.h"

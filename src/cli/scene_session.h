@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/options.h"
-#include "import/gltf.h"
+#include "import/scene/gltf.h"
 
 #include "session/session.h"
 

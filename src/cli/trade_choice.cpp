@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/trade_choice.h"
 
-#include "compare/comparison_table.h"
-#include "compare/run_trade.h"
-#include "compare/trade_cache.h"
-#include "compare/trade_table.h"
+#include "compare/comparison/comparison_table.h"
+#include "compare/trade/run_trade.h"
+#include "compare/trade/trade_cache.h"
+#include "compare/trade/trade_table.h"
 
 #include "base/command_line.h"
 #include "base/error.h"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "cli/options.h"
-#include "compare/run_comparison.h"
-#include "compare/trade_front.h"
+#include "compare/comparison/run_comparison.h"
+#include "compare/trade/trade_front.h"
 
 #include <nlohmann/json_fwd.hpp>
 

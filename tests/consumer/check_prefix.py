@@ -8,7 +8,7 @@ import sys
 
 HEADERS = ("base/error.h", "base/version.h", "geometry/bvh.h", "gpu/device.h", "interop/scene.h",
            "scene/scene.h", "renderers/film/film.h", "renderers/methods/ray_tracer.h", "session/session.h",
-           "compare/run_comparison.h")
+           "compare/comparison/run_comparison.h")
 
 
 def faults(prefix, source, build):

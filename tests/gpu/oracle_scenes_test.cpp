@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "import/gltf.h"
+#include "import/scene/gltf.h"
 #include "support/test_device.h"
 
 #include "gpu/oracle_comparison.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a kept trade is valid for: nothing that changes pictures or times may leave its key as it was.
-#include "compare/trade_cache.h"
+#include "compare/trade/trade_cache.h"
 #include "support/scenes.h"
 #include "support/test_device.h"
 

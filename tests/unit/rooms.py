@@ -11,6 +11,7 @@ Room = namedtuple("Room", "name purpose may_include")
 
 SCENE = ["base", "interop", "geometry", "scene"]
 CORE = SCENE + ["gpu", "image", "kernels"]
+PICTURES = ["base", "image", "geometry", "scene", "gpu", "interop", "image_io"]
 REFLECTION = "renderers/reflection/"
 
 
@@ -44,12 +45,16 @@ SOURCE_ROOMS = [
     Room("session", "the library's front door: a device, a scene on it, pictures of it",
          CORE + ["renderers/scene", "renderers/film", "renderers/light", "renderers/methods"]),
     Room("image_io", "pictures in files: OpenImageIO, nowhere else", ["base", "image", "scene/texture.h"]),
-    Room("import", "glTF to Scene; the only room that sees the glTF parser", SCENE + ["image_io"]),
-    Room("compare", "comparison, trade of time for error, their tables, .json and .html",
-         ["base", "image", "geometry", "scene", "gpu", "interop", "image_io", "renderers/film", "renderers/methods", "session"]),
+    Room("import/document", "a glTF file: parsed, held against the schema, its buffers read", SCENE),
+    Room("import/scene", "glTF to Scene", SCENE + ["image_io", "import/document"]),
+    Room("compare/page", "what the pages written have in common", ["base"]),
+    Room("compare/comparison", "methods measured against a reference: table, .json, report.html",
+         PICTURES + ["compare/page", "renderers/film", "renderers/methods", "session"]),
+    Room("compare/trade", "time against error over settings: sweep, front, table, .json, page",
+         PICTURES + ["compare/page", "compare/comparison"]),
     Room("cli", "one file per subcommand, exit codes; no algorithm",
-         ["base", "image", "geometry", "scene", "gpu", "interop", "image_io", "import", "compare", "session",
-          "renderers/film", "renderers/light", "renderers/methods"] + reflection("maps", "distances", "glossy")),
+         PICTURES + ["import/scene", "compare/comparison", "compare/trade", "session", "renderers/film", "renderers/light",
+                     "renderers/methods"] + reflection("maps", "distances", "glossy")),
 ]
 
 KERNELS = "kernels/"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/comparison_json.h"
+#include "compare/comparison/comparison_json.h"
 
 #include "base/version.h"
 

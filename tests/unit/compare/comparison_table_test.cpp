@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/comparison_table.h"
+#include "compare/comparison/comparison_table.h"
 
 #include "small_comparison.h"
 

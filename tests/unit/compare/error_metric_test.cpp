@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/error_metric.h"
+#include "compare/trade/error_metric.h"
 
 #include "base/error.h"
 #include "image/image.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/reflection_errors.h"
+#include "compare/comparison/reflection_errors.h"
 
-#include "compare/reflection_pictures.h"
+#include "compare/comparison/reflection_pictures.h"
 
 #include "image/error_map.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/report.h"
+#include "compare/comparison/report.h"
 
-#include "compare/comparison_json.h"
-#include "compare/reflection_pictures.h"
+#include "compare/comparison/comparison_json.h"
+#include "compare/comparison/reflection_pictures.h"
 
 #include "image/error_map.h"
 #include "image_io/image_io.h"

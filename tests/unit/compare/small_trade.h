@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "compare/trade.h"
+#include "compare/trade/trade.h"
 
 #include "small_comparison.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/trade_front.h"
+#include "compare/trade/trade_front.h"
 
 #include "small_trade.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/trade_json.h"
+#include "compare/trade/trade_json.h"
 
-#include "compare/comparison_json.h"
-#include "compare/trade_cache.h"
-#include "compare/trade_front.h"
+#include "compare/comparison/comparison_json.h"
+#include "compare/trade/trade_cache.h"
+#include "compare/trade/trade_front.h"
 
 #include "base/file.h"
 

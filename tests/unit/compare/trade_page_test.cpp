@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/trade_page.h"
+#include "compare/trade/trade_page.h"
 
-#include "compare/trade_equal.h"
-#include "compare/trade_json.h"
+#include "compare/trade/trade_equal.h"
+#include "compare/trade/trade_json.h"
 
 #include "small_trade.h"
 #include "unit/image/scratch_folder.h"

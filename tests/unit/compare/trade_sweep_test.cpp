@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compare/trade_sweep.h"
+#include "compare/trade/trade_sweep.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "import/gltf.h"
+#include "import/scene/gltf.h"
 
 #include "geometry/bvh.h"
 #include "geometry/bvh_check.h"

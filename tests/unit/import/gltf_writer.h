@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "import/gltf.h"
+#include "import/scene/gltf.h"
 
 #include "base/error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "import/uri.h"
+#include "import/document/uri.h"
 
 #include "unit/import/gltf_writer.h"
 
