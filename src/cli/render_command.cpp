@@ -9,6 +9,7 @@
 #include "compare/comparison/comparison_table.h"
 
 #include "base/file.h"
+#include "base/stopwatch.h"
 #include "base/version.h"
 #include "image/tone.h"
 #include "image_io/image_io.h"
@@ -17,13 +18,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 namespace utsuri {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 struct RenderOptions {
     CommonOptions common;
@@ -58,11 +56,11 @@ struct Result {
 
 /// Adds samples in growing steps until one of the goals is met.
 void render_until_done(Picture& picture, const RenderOptions& options, ProgressLine& progress, Result& result,
-                       Clock::time_point start) {
+                       const Stopwatch& whole) {
     const bool open_ended = !options.time.empty() || options.noise;
     const std::uint32_t most = options.samples.value_or(open_ended ? kMostSamples : kDefaultSamples);
     const double seconds = options.time.empty() ? 0.0 : parse_duration(options.time);
-    const auto sampling_start = Clock::now();
+    const Stopwatch sampling;
     progress.begin(fmt::format("{}/{}", options.light, options.reflection));
     while (picture.samples() < most && !progress.cancelled()) {
         std::uint32_t step = std::min(most - picture.samples(), most);
@@ -73,14 +71,14 @@ void render_until_done(Picture& picture, const RenderOptions& options, ProgressL
         if (options.noise && (picture.samples() + step) % 2 != 0)
             step = picture.samples() + 1 < most ? 1 : step;
         if (seconds > 0.0 && picture.samples() > 0) {
-            const double elapsed = std::chrono::duration<double>(Clock::now() - sampling_start).count();
+            const double elapsed = sampling.seconds();
             const double fitting = (seconds - elapsed) * picture.samples() / elapsed;
             if (fitting < 1.0) break;
             step = std::min(step, static_cast<std::uint32_t>(std::min(fitting, 1e6)));
         }
         const bool first = picture.samples() == 0;
         picture.add_samples(step, progress);
-        if (first) result.first_frame_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        if (first) result.first_frame_seconds = whole.seconds();
         if (options.noise && picture.samples() % 2 == 0 && picture.noise().relative <= *options.noise) break;
     }
     if (picture.samples() == 0) throw Interrupted();
@@ -226,7 +224,7 @@ void check_reflection_data(const AovSelection& aovs, const Method& method) {
 }
 
 ExitCode render(RenderOptions options, const std::vector<std::string>& given) {
-    const auto start = Clock::now();
+    const Stopwatch whole;
     const RenderSettings settings = options.picture.render_settings();
     const AovSelection aovs = parse_aovs(options.aovs);
     check_options(options);
@@ -249,7 +247,7 @@ ExitCode render(RenderOptions options, const std::vector<std::string>& given) {
     progress.begin("preparing");
     picture.prepare(progress);
     Result result;
-    render_until_done(picture, options, progress, result, start);
+    render_until_done(picture, options, progress, result, whole);
     result.statistics = picture.statistics();
     result.peak_bytes = session.memory().peak;
 

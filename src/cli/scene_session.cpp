@@ -2,23 +2,23 @@
 #include "cli/scene_session.h"
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 
 #include <charconv>
-#include <chrono>
 #include <cstdlib>
 
 namespace utsuri {
 LoadedScene load_scene(const std::filesystem::path& path) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     ImportResult result = import_gltf(path);
     LoadedScene loaded;
     loaded.scene = std::move(result.scene);
     for (Notes* notes : {&result.ignored, &result.dropped, &result.added}) {
         loaded.notes.insert(loaded.notes.end(), notes->begin(), notes->end());
     }
-    loaded.import_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    loaded.import_seconds = stopwatch.seconds();
     return loaded;
 }
 

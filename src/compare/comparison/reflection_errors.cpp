@@ -2,9 +2,9 @@
 #include "compare/comparison/reflection_errors.h"
 
 #include "base/check.h"
+#include "base/stopwatch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -45,7 +45,7 @@ DisplacementSummary summary_of(const Plane& plane) {
 ReflectionErrors find_reflection_errors(Session& session, PictureSettings settings, Progress& progress) {
     const ReflectionTraits& traits = settings.method.reflection->traits;
     UTSURI_CHECK(traits.predicts_errors);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     settings.maps.predicts_errors = true;
     settings.maps.samples = 1;  // errors are of places, whatever their colours
     Picture picture = session.make_picture(settings);
@@ -61,7 +61,7 @@ ReflectionErrors find_reflection_errors(Session& session, PictureSettings settin
             errors.predicted.values[i] = errors.measured.values[i] = 0.0f;
         }
     }
-    errors.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    errors.seconds = stopwatch.seconds();
     return errors;
 }
 

@@ -2,13 +2,13 @@
 #include "renderers/film/film_kernel.h"
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 
 #include "interop/bindings.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace utsuri {
 namespace {
@@ -44,7 +44,7 @@ FilmKernel::FilmKernel(Device& device, const std::string& name, std::span<const 
 }
 
 double FilmKernel::warm_up(Film& film) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     const Film::Band& band = film.bands().front();
     Bindings bindings = bindings_;
     bindings[interop::BINDING_FILM] = &band.pixels;
@@ -54,7 +54,7 @@ double FilmKernel::warm_up(Film& film) {
     push.height = film.height();
     device_->run("compile a kernel",
                  [&](const vk::raii::CommandBuffer& commands) { kernel_.dispatch(commands, set, push, 1); });
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return stopwatch.seconds();
 }
 
 FrameCounts FilmKernel::add_samples(Film& film, const FrameSettings& settings, std::uint32_t count,

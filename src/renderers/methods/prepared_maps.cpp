@@ -3,12 +3,13 @@
 
 #include "renderers/reflection/raster/reflector_drawer.h"
 
+#include "base/stopwatch.h"
+
 #include "interop/bindings.h"
 #include "interop/raster.h"
 #include "interop/specialization.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace utsuri {
 namespace {
@@ -86,13 +87,13 @@ void PreparedMaps::update(const SceneChange& change, const Camera& eye, RenderSt
 
 void PreparedMaps::prepare(const Camera& eye, RenderStatistics& statistics, Progress& progress) {
     FrameCounts& counts = statistics.prepare_counts;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     double compile_seconds = 0.0;
     accumulate(counts, glossy_maps_.capture(scene_, light_, settings_, compile_seconds, progress));
     if (distances_) accumulate(counts, distances_->capture(scene_, compile_seconds, progress));
     if (radiance_bounds_)
         accumulate(counts, radiance_bounds_->capture(scene_, light_, compile_seconds, progress));
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = stopwatch.seconds();
     statistics.prepare_seconds += seconds - compile_seconds;
     statistics.compile_seconds += compile_seconds;
     capture_.prepare(eye, statistics);

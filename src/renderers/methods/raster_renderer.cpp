@@ -6,21 +6,14 @@
 #include "renderers/reflection/raster/picture_pixels.h"
 
 #include "base/check.h"
+#include "base/stopwatch.h"
 
 #include "interop/bindings.h"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 namespace utsuri {
-namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-}  // namespace
 
 RasterRenderer::RasterRenderer(const RendererInput& input, const RasterMethod& method,
                                const RenderSettings& settings, const MapSettings& map_settings)
@@ -56,9 +49,9 @@ void RasterRenderer::make_view(PreparedMaps* previous) {
 }
 
 void RasterRenderer::warm_up() {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     view_->warm_up();
-    statistics_.compile_seconds += seconds_since(start);
+    statistics_.compile_seconds += stopwatch.seconds();
 }
 
 void RasterRenderer::prepare(Progress& progress) {
@@ -88,7 +81,7 @@ void RasterRenderer::update(const SceneChange& change, Progress& progress) {
 
 void RasterRenderer::capture_first_view(Progress& progress) {
     if (maps_->maps().map_count() == 0) return;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     // What no sample at a corner of a pixel looks up, those in between hardly do; if one does, its map is
     // captured then.
     constexpr float kLast = 0x1.fffffep-1f;
@@ -100,7 +93,7 @@ void RasterRenderer::capture_first_view(Progress& progress) {
             draw_at(corner);
         } while (maps_->capture_missing(statistics_, progress));
     }
-    statistics_.prepare_seconds += seconds_since(start);
+    statistics_.prepare_seconds += stopwatch.seconds();
 }
 
 void RasterRenderer::set_camera(const Camera& camera) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/methods/renderer.h"
 
-#include <chrono>
+#include "base/stopwatch.h"
 
 namespace utsuri {
 
@@ -19,10 +19,9 @@ void Renderer::count_light(const LightCost& cost) {
 }
 
 void Renderer::add_samples(Film& film, std::uint32_t count, Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     accumulate(statistics_.counts, render(film, count, progress));
-    statistics_.frame_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    statistics_.frame_seconds += stopwatch.seconds();
 }
 
 }  // namespace utsuri

@@ -2,9 +2,9 @@
 #include "renderers/scene/scene_geometry.h"
 
 #include "base/same_bits.h"
+#include "base/stopwatch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace utsuri {
@@ -32,9 +32,9 @@ bool same_places(const GeometrySource& source, const Scene& scene) {
 /// Calls `work` and tells how long it took.
 template <typename Work>
 double seconds_of(const Work& work) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return stopwatch.seconds();
 }
 
 /// All but the BVH, which is there.

@@ -4,6 +4,7 @@
 #include "renderers/light/direct/lattice_plan.h"
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "gpu/dispatch_budget.h"
 
 #include "interop/bindings.h"
@@ -14,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 #include <numeric>
 
@@ -78,10 +78,6 @@ std::vector<std::uint32_t> changed_triangles(const Kept& before, const Kept& aft
 
 std::uint64_t buffer_bytes(const std::vector<interop::LightCacheTriangle>& lattices) {
     return std::max<std::uint64_t>(1, light_cache_points(lattices)) * sizeof(interop::LightCachePoint);
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
@@ -167,7 +163,7 @@ void LightCache::simulate(const std::vector<interop::ChangedBox>& changed, Progr
     bindings[interop::BINDING_COUNTERS] = &counters_;
     bindings[interop::BINDING_LIGHT_BOUNDS] = &bounds_buffer;
     bindings[interop::BINDING_CHANGED_BOXES] = &changed_boxes;
-    auto start = std::chrono::steady_clock::now();
+    const Stopwatch compilation;
     Specialization specialization = scene_.specialization();
     specialization[interop::SPEC_SUMS_LIGHTS] = sums_lights(data_) ? 1 : 0;
     const Kernel kernel(device_, "fill_light_cache", kernels::fill_light_cache, specialization,
@@ -182,9 +178,9 @@ void LightCache::simulate(const std::vector<interop::ChangedBox>& changed, Progr
     // Drivers may compile at the first dispatch; this one has no point to work on.
     device_.run("compile a kernel",
                 [&](const vk::raii::CommandBuffer& commands) { kernel.dispatch(commands, set, push, 1); });
-    cost_.compile_seconds = seconds_since(start);
+    cost_.compile_seconds = compilation.seconds();
 
-    start = std::chrono::steady_clock::now();
+    const Stopwatch simulation;
     DispatchBudget budget;
     for (std::uint64_t first = 0; first < count; first = push.end_point) {
         if (progress.cancelled()) throw Interrupted();
@@ -200,7 +196,7 @@ void LightCache::simulate(const std::vector<interop::ChangedBox>& changed, Progr
         accumulate(cost_.counts, counts);
         progress.update(static_cast<double>(push.end_point), static_cast<double>(count));
     }
-    cost_.seconds = seconds_since(start);
+    cost_.seconds = simulation.seconds();
     revision_ = scene_.light_revision();
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/same_bits.h"
+#include "base/stopwatch.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <span>
 #include <utility>
 
@@ -152,7 +152,7 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
     find_horizons();
     FrameCounts counts;
     if (std::find(captured_.begin(), captured_.end(), false) == captured_.end()) return counts;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     Specialization specialization = scene.specialization();
     specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
     specialization[interop::SPEC_DISTANCE_SIZE] = size_;
@@ -173,7 +173,7 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
         bound.dispatch(commands, bound_set, interop::BoundDistancesPush{}, 1);
         reduce.dispatch(commands, reduce_set, interop::BoundDistancesPush{}, 1);
     });
-    seconds_to_compile += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds_to_compile += stopwatch.seconds();
 
     const BlockBounds bounds{bound, bound_set, reduce, reduce_set};
     DispatchBudget budget;

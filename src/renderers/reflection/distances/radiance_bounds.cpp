@@ -4,6 +4,7 @@
 #include "renderers/reflection/distances/block_bounds.h"
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
@@ -15,7 +16,6 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
-#include <chrono>
 
 namespace utsuri {
 namespace {
@@ -71,7 +71,7 @@ FrameCounts RadianceBounds::capture(const GpuScene& scene, const SurfaceLight& l
                                     double& seconds_to_compile, Progress& progress) {
     FrameCounts counts;
     if (std::find(captured_.begin(), captured_.end(), false) == captured_.end()) return counts;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     Specialization specialization = scene.specialization();
     specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
     specialization[interop::SPEC_DISTANCE_SIZE] = size_;
@@ -93,7 +93,7 @@ FrameCounts RadianceBounds::capture(const GpuScene& scene, const SurfaceLight& l
         bound.dispatch(commands, bound_set, interop::BoundDistancesPush{}, 1);
         reduce.dispatch(commands, reduce_set, interop::BoundDistancesPush{}, 1);
     });
-    seconds_to_compile += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds_to_compile += stopwatch.seconds();
 
     const BlockBounds bounds{bound, bound_set, reduce, reduce_set};
     DispatchBudget budget;

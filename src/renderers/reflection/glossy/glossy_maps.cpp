@@ -6,13 +6,13 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "base/stopwatch.h"
 
 #include "interop/bindings.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace utsuri {
 namespace {
@@ -67,12 +67,12 @@ FrameCounts GlossyMaps::capture(const GpuScene& scene, const SurfaceLight& light
                                 Progress& progress) {
     FrameCounts counts;
     if (plan_.levels.empty()) return counts;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     MapPrefilter prefilter(*device_, scene, light,
                            {texels_, inverse_distances_, keeps_distances(settings_.kind)},
                            plan_.largest_source());
     prefilter.warm_up();
-    seconds_to_compile += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds_to_compile += stopwatch.seconds();
     const auto instances = static_cast<std::uint32_t>(plan_.infos.size());
     for (std::uint32_t i = 0; i < instances; ++i) {
         for (std::uint32_t probe = 0; probe < plan_.infos[i].probes; ++probe) {

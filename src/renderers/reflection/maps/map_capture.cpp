@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/maps/map_capture.h"
 
+#include "base/stopwatch.h"
+
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/resolve_map.h"
 #include "kernels/trace_map.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace utsuri {
 namespace {
@@ -42,15 +43,14 @@ void MapCapture::prepare(const Camera& eye, RenderStatistics& statistics) {
     statistics.maps = maps_.map_count();
     statistics.captured_maps = maps_.captured_count();
     if (statistics.maps == 0) return;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     maps_.orient_to(eye);
     tracer_.emplace(device_, "trace_map", kernels::trace_map, tracing_specialization(scene_, maps_.kind()),
                     tracing_bindings(scene_, light_));
     resolver_.emplace(device_, "resolve_map", kernels::resolve_map, Specialization{},
                       sizeof(interop::ResolveMapPush));
     tracer_->warm_up(film_of(maps_.stride(0)));
-    statistics.compile_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    statistics.compile_seconds += stopwatch.seconds();
     if (captures_all_) maps_.want_all();
 }
 
