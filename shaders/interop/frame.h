@@ -71,7 +71,7 @@ struct AovPixel {
     uint specular;  ///< 1 where the surface is a perfect mirror or smooth dielectric
 };
 
-/// Pixels are worked on in square tiles of this edge, one tile a workgroup.
+/// Pixels are worked on in square tiles of this edge; a tile is a workgroup (WORKGROUP_SIZE).
 INTEROP_CONSTANT TILE_SIZE = 8u;
 
 INTEROP_END

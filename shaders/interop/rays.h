@@ -24,8 +24,5 @@ struct TraceRaysPush {
     uint count;
 };
 
-/// Rays a workgroup of the ray list kernel traces.
-INTEROP_CONSTANT RAYS_PER_GROUP = 64u;
-
 INTEROP_END
 #endif

@@ -3,12 +3,19 @@
 
 #include "gpu/pipeline_cache.h"
 
+#include "interop/workgroup.h"
+
 #include <memory>
 
 namespace utsuri {
 
 /// Every Vulkan device takes this many workgroups in a dispatch.
 inline constexpr std::uint32_t kMaxGroups = 65535;
+
+/// The least number of workgroups that have so many invocations together.
+constexpr std::uint32_t group_count(std::uint32_t invocations) {
+    return invocations / interop::WORKGROUP_SIZE + (invocations % interop::WORKGROUP_SIZE != 0 ? 1 : 0);
+}
 
 /// A compute pipeline made from embedded SPIR-V. Its layout follows from the module: storage buffers in set
 /// 0, one push constant block. Move-only. The pipeline itself is the device's: see PipelineCache.

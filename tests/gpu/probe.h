@@ -22,7 +22,7 @@ std::vector<Answer> ask(Device& device, const std::string& name, std::span<const
         kernel.bind({{interop::PROBE_QUERIES, &query_buffer}, {interop::PROBE_ANSWERS, &answer_buffer}});
     const interop::ProbePush push{static_cast<std::uint32_t>(queries.size())};
     device.run("ask " + name, [&](const vk::raii::CommandBuffer& commands) {
-        kernel.dispatch(commands, set, push, (push.count + 63) / 64);
+        kernel.dispatch(commands, set, push, group_count(push.count));
     });
     return answer_buffer.download_records<Answer>(queries.size());
 }

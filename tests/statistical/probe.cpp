@@ -35,7 +35,7 @@ std::vector<interop::ProbeOutput> probe(Device& device, const SceneData& data, s
     const BindingSet set = kernel.bind(bindings);
     push.count = static_cast<std::uint32_t>(inputs.size());
     device.run("probe a sampler", [&](const vk::raii::CommandBuffer& commands) {
-        kernel.dispatch(commands, set, push, (push.count + 63) / 64);
+        kernel.dispatch(commands, set, push, group_count(push.count));
     });
     return outputs.download_records<interop::ProbeOutput>(inputs.size());
 }

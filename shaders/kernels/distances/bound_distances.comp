@@ -4,10 +4,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define DISTANCE_SAMPLES_ACCESS
+#include "interop/workgroup.h"
 #include "kernels/distances/inverse_depth.glsl"
 #include "lib/distance_bounds.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(push_constant, scalar) uniform Push { BoundDistancesPush push; };
 

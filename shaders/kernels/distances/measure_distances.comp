@@ -3,12 +3,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define DISTANCE_SAMPLES_ACCESS writeonly
+#include "interop/workgroup.h"
 #include "kernels/distances/distance_samples.glsl"
 #include "kernels/scene/surface.glsl"
 #include "lib/reflectance.glsl"
 #include "lib/cube.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(constant_id = SPEC_MARKS_GLOSSY) const bool MARKS_GLOSSY = false;
 

@@ -4,12 +4,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "interop/radiance_bounds.h"
+#include "interop/workgroup.h"
 #include "kernels/light/kept_light.glsl"
 #include "kernels/scene/surface.glsl"
 #include "lib/cube.glsl"
 #include "lib/distance_constants.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(push_constant, scalar) uniform Push { MeasureRadiancePush push; };
 

@@ -5,8 +5,9 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/bindings.h"
 #include "interop/distance_map.h"
+#include "interop/workgroup.h"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(push_constant, scalar) uniform Push { BoundDistancesPush push; };
 

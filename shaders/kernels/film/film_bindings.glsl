@@ -10,7 +10,7 @@
 #include "lib/camera.glsl"
 #include "lib/film.glsl"
 
-layout(local_size_x = 64) in;  // TILE_SIZE * TILE_SIZE
+layout(local_size_x = TILE_SIZE * TILE_SIZE) in;
 
 layout(constant_id = SPEC_PROJECTION) const uint PROJECTION = PROJECTION_PERSPECTIVE;
 

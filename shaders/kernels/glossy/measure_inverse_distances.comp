@@ -3,10 +3,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "interop/glossy_map.h"
+#include "interop/workgroup.h"
 #include "lib/cube.glsl"
 #include "kernels/scene/traversal.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(push_constant, scalar) uniform Push { MeasureInverseDistancesPush push; };
 

@@ -9,10 +9,11 @@
 #include "interop/bindings.h"
 #include "interop/glossy_map.h"
 #include "interop/specialization.h"
+#include "interop/workgroup.h"
 #include "lib/cube.glsl"
 #include "lib/light_distance.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(constant_id = SPEC_KEEPS_DISTANCES) const bool KEEPS_DISTANCES = false;
 

@@ -3,6 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "interop/light_cache.h"
+#include "interop/workgroup.h"
 #include "kernels/film/counters.glsl"
 #include "kernels/light/light_records.glsl"
 #include "kernels/scene/direct_light.glsl"
@@ -10,7 +11,7 @@
 #include "lib/light_reach.glsl"
 #include "kernels/scene/unshadowed_light.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(constant_id = SPEC_SUMS_LIGHTS) const bool SUMS_LIGHTS = false;
 

@@ -6,8 +6,9 @@
 #include "interop/bindings.h"
 #include "interop/frame.h"
 #include "interop/reflection.h"
+#include "interop/workgroup.h"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(push_constant, scalar) uniform Push { ResolveMapPush push; };
 

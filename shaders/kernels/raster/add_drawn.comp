@@ -5,11 +5,12 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/bindings.h"
 #include "interop/raster.h"
+#include "interop/workgroup.h"
 #include "lib/film.glsl"
 #include "lib/pixel_state.glsl"
 #include "lib/numeric.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(push_constant, scalar) uniform Push { AddDrawnPush push; };
 

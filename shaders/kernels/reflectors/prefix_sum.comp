@@ -6,18 +6,19 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/bindings.h"
 #include "interop/reflection.h"
+#include "interop/workgroup.h"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(push_constant, scalar) uniform Push { PrefixSumPush push; };
 
 layout(scalar, set = METHOD_SET, binding = BINDING_SUMMED_COUNTS) restrict buffer Counts { uint counts[]; };
 
-shared uint sums[64];
+shared uint sums[WORKGROUP_SIZE];
 
 void main() {
     uint lane = gl_LocalInvocationID.x;
-    uint share = (push.count + 63u) / 64u;
+    uint share = (push.count + WORKGROUP_SIZE - 1u) / WORKGROUP_SIZE;
     uint begin = min(lane * share, push.count);
     uint end = min(begin + share, push.count);
     uint sum = 0u;
@@ -31,5 +32,5 @@ void main() {
         counts[i] = before;
         before += count;
     }
-    if (lane == 63u) counts[push.count] = before;
+    if (lane == WORKGROUP_SIZE - 1u) counts[push.count] = before;
 }

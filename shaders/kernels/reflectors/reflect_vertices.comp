@@ -5,9 +5,10 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/bindings.h"
 #include "interop/reflection.h"
+#include "interop/workgroup.h"
 #include "lib/numeric.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(push_constant, scalar) uniform Push { ReflectVerticesPush push; };
 

@@ -4,10 +4,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "interop/specialization.h"
+#include "interop/workgroup.h"
 #include "kernels/maps/map_faces.glsl"
 #include "kernels/reflectors/polygons.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(constant_id = SPEC_WRITES) const bool WRITES = false;
 

@@ -3,9 +3,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "interop/rays.h"
+#include "interop/workgroup.h"
 #include "kernels/scene/traversal.glsl"
 
-layout(local_size_x = 64) in;  // RAYS_PER_GROUP
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(constant_id = SPEC_ANY_HIT) const bool ANY_HIT = false;
 

@@ -42,9 +42,8 @@ double RayList::trace() {
     double seconds = 0.0;
     for (std::uint32_t first = 0; first < count_; first += kRaysPerDispatch) {
         const interop::TraceRaysPush push{first, std::min(kRaysPerDispatch, count_ - first)};
-        const std::uint32_t groups = (push.count + interop::RAYS_PER_GROUP - 1) / interop::RAYS_PER_GROUP;
         seconds += device_.run("trace rays", [&](const vk::raii::CommandBuffer& commands) {
-            kernel_.dispatch(commands, set, push, groups);
+            kernel_.dispatch(commands, set, push, group_count(push.count));
         });
     }
     return seconds;

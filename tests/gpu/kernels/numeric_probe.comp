@@ -3,12 +3,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "interop/workgroup.h"
 #include "probes.h"
 #include "lib/frame.glsl"
 #include "lib/numeric.glsl"
 #include "lib/trigonometry.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(push_constant, scalar) uniform Push { ProbePush push; };
 

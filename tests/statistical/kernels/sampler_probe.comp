@@ -2,11 +2,12 @@
 // Calls a sampling function for given numbers in [0, 1)^2 and tells what it returns.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "interop/workgroup.h"
 #include "kernels/scene/lights.glsl"
 #include "lib/lobes/lobes.glsl"
 #include "probe_interop.h"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = WORKGROUP_SIZE) in;
 layout(constant_id = PROBE_SPEC_SAMPLER) const uint SAMPLER = PROBE_GLOSSY;
 layout(push_constant, scalar) uniform Push { ProbePush push; };
 layout(scalar, binding = PROBE_BINDING_INPUTS) readonly restrict buffer Inputs { vec2 inputs[]; };

@@ -133,10 +133,10 @@ TEST(Kernels, SpecializeOnlyWhatInteropNumbers) {
 TEST(Kernels, HaveTheWorkgroupsThatTheHostCountsWith) {
     for (const test::ProductKernel& kernel : test::product_kernels()) {
         const bool is_drawn = kernel.name.ends_with("_vert") || kernel.name.ends_with("_frag");
-        EXPECT_EQ(invocations_per_group(kernel.spirv), is_drawn ? 0u : 64u) << kernel.name;
+        EXPECT_EQ(invocations_per_group(kernel.spirv), is_drawn ? 0u : interop::WORKGROUP_SIZE)
+            << kernel.name;
     }
-    EXPECT_EQ(interop::TILE_SIZE * interop::TILE_SIZE, 64u);
-    EXPECT_EQ(interop::RAYS_PER_GROUP, 64u);
+    EXPECT_EQ(interop::TILE_SIZE * interop::TILE_SIZE, interop::WORKGROUP_SIZE);
 }
 
 TEST(Kernels, FitTheirPushConstantsIntoWhatEveryDeviceHas) {

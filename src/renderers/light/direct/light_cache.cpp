@@ -21,9 +21,8 @@
 namespace utsuri {
 namespace {
 
-constexpr std::uint32_t kGroupSize = 64;
 constexpr std::uint64_t kSides = 2;
-constexpr std::uint64_t kMostPointsPerDispatch = std::uint64_t{kMaxGroups} * kGroupSize;
+constexpr std::uint64_t kMostPointsPerDispatch = std::uint64_t{kMaxGroups} * interop::WORKGROUP_SIZE;
 
 /// Summing more lights than this at every point would cost more than sampling them.
 constexpr std::size_t kMostSummedLights = 64;
@@ -206,7 +205,7 @@ FrameCounts LightCache::simulate_points(const Kernel& kernel, const BindingSet& 
     counters_.fill_with_zero();
     FrameCounts counts;
     counts.gpu_seconds = device_.run("fill the light cache", [&](const vk::raii::CommandBuffer& commands) {
-        kernel.dispatch(commands, set, push, (points + kGroupSize - 1) / kGroupSize);
+        kernel.dispatch(commands, set, push, group_count(points));
     });
     const auto totals = counters_.download_records<interop::Counters>(1).front();
     if (totals.incomplete > 0) {

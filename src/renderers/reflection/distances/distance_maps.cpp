@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/distances/distance_maps.h"
 
-#include "renderers/reflection/distances/block_bounds.h"
+#include "renderers/reflection/distances/face_kernels.h"
+#include "renderers/reflection/distances/measured_faces.h"
 #include "renderers/reflection/reflectors/reflector_plane.h"
 #include "renderers/reflection/reflectors/self_horizon.h"
 #include "renderers/scene/scene_triangles.h"
@@ -159,24 +160,12 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
     specialization[interop::SPEC_MARKS_GLOSSY] = tolerance_ == Tolerance::Of::radiance ? 1 : 0;
     Bindings bindings = scene.bindings();
     bindings.merge(this->bindings());
-    const Kernel measure(*device_, "measure_distances", kernels::measure_distances, specialization,
-                         sizeof(interop::MeasureDistancesPush));
-    const Kernel bound(*device_, "bound_distances", kernels::bound_distances, specialization,
-                       sizeof(interop::BoundDistancesPush));
-    const Kernel reduce(*device_, "reduce_bounds", kernels::reduce_bounds, {},
-                        sizeof(interop::BoundDistancesPush));
-    const BindingSet measure_set = measure.bind(bindings);
-    const BindingSet bound_set = bound.bind(bindings);
-    const BindingSet reduce_set = reduce.bind(bindings);
-    device_->run("compile kernels", [&](const vk::raii::CommandBuffer& commands) {
-        measure.dispatch(commands, measure_set, interop::MeasureDistancesPush{}, 1);
-        bound.dispatch(commands, bound_set, interop::BoundDistancesPush{}, 1);
-        reduce.dispatch(commands, reduce_set, interop::BoundDistancesPush{}, 1);
-    });
+    FaceKernels<interop::MeasureDistancesPush> face_kernels(
+        *device_, {"measure_distances", kernels::measure_distances},
+        {"bound_distances", kernels::bound_distances}, {"reduce_bounds", kernels::reduce_bounds},
+        specialization, bindings);
     seconds_to_compile += stopwatch.seconds();
 
-    const BlockBounds bounds{bound, bound_set, reduce, reduce_set};
-    DispatchBudget budget;
     const std::uint32_t per_face = samples_per_face(size_);
     const auto faces = static_cast<std::uint32_t>(infos_.size()) * interop::DISTANCE_FACES;
     for (std::uint32_t i = 0; i < faces; ++i) {
@@ -192,11 +181,9 @@ FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_comp
         push.excluded_instance = instances_[probe];
         push.first_sample = map.first_sample + face * per_face;
         push.face = face;
-        counts.gpu_seconds +=
-            measure_samples(*device_, "measure distances", measure, measure_set, push, per_face, budget);
+        const std::uint32_t first_bounds = map.first_bounds + face * bounds_per_face(size_);
+        counts.gpu_seconds += face_kernels.run("distances", push, size_, push.first_sample, first_bounds);
         counts.rays += std::uint64_t{2} * per_face;
-        const std::uint32_t first = map.first_bounds + face * bounds_per_face(size_);
-        counts.gpu_seconds += bounds.run(*device_, "bound distances", push.first_sample, first, size_);
         captured_[i] = true;
         progress.update(i + 1, faces);
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/distances/radiance_bounds.h"
 
-#include "renderers/reflection/distances/block_bounds.h"
+#include "renderers/reflection/distances/face_kernels.h"
+#include "renderers/reflection/distances/measured_faces.h"
 
 #include "base/error.h"
 #include "base/stopwatch.h"
@@ -79,25 +80,12 @@ FrameCounts RadianceBounds::capture(const GpuScene& scene, const SurfaceLight& l
     bindings.merge(light.bindings());
     bindings.merge(this->bindings());
     bindings[interop::BINDING_RADIANCE_SAMPLES] = &samples_;
-    const Kernel measure(*device_, "measure_radiance", kernels::measure_radiance, specialization,
-                         sizeof(interop::MeasureRadiancePush));
-    const Kernel bound(*device_, "bound_radiance", kernels::bound_radiance, specialization,
-                       sizeof(interop::BoundDistancesPush));
-    const Kernel reduce(*device_, "reduce_radiance", kernels::reduce_radiance, {},
-                        sizeof(interop::BoundDistancesPush));
-    const BindingSet measure_set = measure.bind(bindings);
-    const BindingSet bound_set = bound.bind(bindings);
-    const BindingSet reduce_set = reduce.bind(bindings);
-    device_->run("compile kernels", [&](const vk::raii::CommandBuffer& commands) {
-        measure.dispatch(commands, measure_set, interop::MeasureRadiancePush{}, 1);
-        bound.dispatch(commands, bound_set, interop::BoundDistancesPush{}, 1);
-        reduce.dispatch(commands, reduce_set, interop::BoundDistancesPush{}, 1);
-    });
+    FaceKernels<interop::MeasureRadiancePush> face_kernels(
+        *device_, {"measure_radiance", kernels::measure_radiance},
+        {"bound_radiance", kernels::bound_radiance}, {"reduce_radiance", kernels::reduce_radiance},
+        specialization, bindings);
     seconds_to_compile += stopwatch.seconds();
 
-    const BlockBounds bounds{bound, bound_set, reduce, reduce_set};
-    DispatchBudget budget;
-    const std::uint32_t per_face = samples_per_face(size_);
     const auto faces = static_cast<std::uint32_t>(probes_.size()) * interop::DISTANCE_FACES;
     for (std::uint32_t i = 0; i < faces; ++i) {
         if (progress.cancelled()) throw Interrupted();
@@ -107,11 +95,8 @@ FrameCounts RadianceBounds::capture(const GpuScene& scene, const SurfaceLight& l
         push.capture_point = probes_[probe].capture_point;
         push.excluded_instance = instances_[probe];
         push.face = i % interop::DISTANCE_FACES;
-        counts.gpu_seconds +=
-            measure_samples(*device_, "measure radiance", measure, measure_set, push, per_face, budget);
-        counts.rays += std::uint64_t{2} * per_face;
-        const std::uint32_t first = i * bounds_per_face(size_);
-        counts.gpu_seconds += bounds.run(*device_, "bound radiance", 0, first, size_);
+        counts.gpu_seconds += face_kernels.run("radiance", push, size_, 0, i * bounds_per_face(size_));
+        counts.rays += std::uint64_t{2} * samples_per_face(size_);
         captured_[i] = true;
         progress.update(i + 1, faces);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/glossy/inverse_distance_kernel.h"
 
-#include "renderers/reflection/distances/block_bounds.h"
+#include "renderers/reflection/distances/face_kernels.h"
 
 #include "interop/bindings.h"
 #include "interop/glossy_map.h"

@@ -14,7 +14,6 @@
 namespace utsuri {
 namespace {
 
-constexpr std::uint32_t kGroupSize = 64;
 constexpr std::uint32_t kFaces = interop::GLOSSY_MAP_FACES;
 
 /// Texels before a level of what is captured, whose edge halves from level to level.
@@ -31,10 +30,6 @@ interop::CameraInfo face_camera(const glm::vec3& point, std::uint32_t face) {
         return unit;
     };
     return {point, axis(1), -axis(2), face % 2 == 0 ? axis(0) : -axis(0)};
-}
-
-std::uint32_t groups(std::uint32_t invocations) {
-    return (invocations + kGroupSize - 1) / kGroupSize;
 }
 
 Specialization capture_constants(const GpuScene& scene) {
@@ -114,7 +109,7 @@ FrameCounts MapPrefilter::capture(const glm::vec3& point, std::uint32_t size, Fr
             const interop::ResolveMapPush push{size * band.rows, (face * size + band.first_row) * size,
                                                samples};
             counts.gpu_seconds += device_.run("resolve a map", [&](const vk::raii::CommandBuffer& commands) {
-                resolver_.dispatch(commands, set, push, groups(push.texels));
+                resolver_.dispatch(commands, set, push, group_count(push.texels));
             });
         }
     }
@@ -125,7 +120,7 @@ FrameCounts MapPrefilter::capture(const glm::vec3& point, std::uint32_t size, Fr
             halver_.dispatch(
                 commands, halve_set_,
                 interop::HalveMapPush{first_of_level(size, level - 1), first_of_level(size, level), edge},
-                groups(kFaces * edge * edge));
+                group_count(kFaces * edge * edge));
         }
     });
     return counts;
@@ -134,7 +129,7 @@ FrameCounts MapPrefilter::capture(const glm::vec3& point, std::uint32_t size, Fr
 double MapPrefilter::convolve(const interop::PrefilterMapPush& push) {
     return device_.run("prefilter maps", [&](const vk::raii::CommandBuffer& commands) {
         convolver_.dispatch(commands, convolve_set_, push,
-                            groups(static_cast<std::uint32_t>(prefiltered_texels(push.size))));
+                            group_count(static_cast<std::uint32_t>(prefiltered_texels(push.size))));
     });
 }
 

@@ -103,7 +103,7 @@ FrameCounts MapCapture::capture(std::uint32_t map) {
             resolver_->bind({{interop::BINDING_FILM, &band.pixels},
                              {interop::BINDING_MAP_TEXELS, bindings.at(interop::BINDING_MAP_TEXELS)}});
         counts.gpu_seconds += device_.run("resolve a map", [&](const vk::raii::CommandBuffer& commands) {
-            resolver_->dispatch(commands, set, push, (push.texels + 63) / 64);
+            resolver_->dispatch(commands, set, push, group_count(push.texels));
         });
     }
     return counts;

@@ -84,7 +84,7 @@ double DrawnSamples::draw(const Film& film, interop::FrameInfo frame, const Atta
             const Film::Band& band = film.bands()[i];
             colour.copy_rows(commands, band.first_row, band.rows, drawn_);
             const interop::AddDrawnPush add{film.width() * band.rows, frame.sample_index};
-            add_kernel_.dispatch(commands, sets_[i], add, (add.pixels + 63) / 64);
+            add_kernel_.dispatch(commands, sets_[i], add, group_count(add.pixels));
         }
     });
 }

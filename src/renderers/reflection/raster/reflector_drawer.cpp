@@ -25,8 +25,6 @@
 namespace utsuri {
 namespace {
 
-constexpr std::uint32_t kGroupSize = 64;
-
 /// Room for cut pieces: most polygons lie within a face; those that straddle give some five pieces. What
 /// finds no room is drawn whole.
 std::uint32_t room_for_cut_pieces(std::size_t polygons) {
@@ -85,10 +83,6 @@ std::vector<std::uint32_t> all_polygons(std::uint32_t count) {
     std::vector<std::uint32_t> polygons(count);
     std::iota(polygons.rbegin(), polygons.rend(), 0u);
     return polygons;
-}
-
-std::uint32_t groups(std::uint32_t invocations) {
-    return (invocations + kGroupSize - 1) / kGroupSize;
 }
 
 }  // namespace
@@ -217,16 +211,16 @@ ReflectorDrawer::Clipping ReflectorDrawer::make_clipping(const Specialization& s
 }
 
 void ReflectorDrawer::run_twice(const vk::raii::CommandBuffer& commands, const TwoRuns& runs) const {
-    runs.count.dispatch(commands, runs.count_set, clip_, groups(clip_.polygons));
+    runs.count.dispatch(commands, runs.count_set, clip_, group_count(clip_.polygons));
     clipping_->prefix_sum.dispatch(commands, runs.sum_set, interop::PrefixSumPush{clip_.polygons}, 1);
-    runs.write.dispatch(commands, runs.write_set, clip_, groups(clip_.polygons));
+    runs.write.dispatch(commands, runs.write_set, clip_, group_count(clip_.polygons));
 }
 
 double ReflectorDrawer::set_eye(const interop::ReflectVerticesPush& eye) {
     return device_.run("reflect vertices", [&](const vk::raii::CommandBuffer& commands) {
         interop::ReflectVerticesPush push = eye;
         push.count = vertex_count_;
-        vertex_kernel_.dispatch(commands, vertex_set_, push, groups(vertex_count_));
+        vertex_kernel_.dispatch(commands, vertex_set_, push, group_count(vertex_count_));
         if (!clipping_) return;
         run_twice(commands, clipping_->sort);
         run_twice(commands, clipping_->cut);
