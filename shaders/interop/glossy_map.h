@@ -32,17 +32,6 @@ struct GlossyLevel {
     uint size;  ///< texels along an edge of a face, border not counted
 };
 
-/// Entries along an edge of the table of LobeAlbedo: over the square root of the cosine to the viewer and,
-/// slower, over perceptual roughness, both from 0 to 1.
-INTEROP_CONSTANT LOBE_ALBEDO_SIZE = 32u;
-
-/// What a surface reflects of uniform surroundings of radiance 1.
-struct LobeAlbedo {
-    float constant;  ///< glossy lobe: the factor of the reflectance at normal incidence
-    float schlick;   ///< glossy lobe: the factor of the reflectance at grazing incidence
-    float lost;      ///< mean of Schlick's weight over the light that a Lambert lobe reflects
-};
-
 /// One ray through the centre of each texel of what glossy maps are made of.
 struct MeasureInverseDistancesPush {
     vec3 capture_point;

@@ -45,7 +45,6 @@
 #include "kernels/sort_polygons.h"
 #include "kernels/trace_direct.h"
 #include "kernels/trace_kept.h"
-#include "kernels/trace_map.h"
 #include "kernels/trace_rays.h"
 
 namespace utsuri::test {
@@ -94,7 +93,6 @@ std::vector<ProductKernel> product_kernels() {
             {"resolve_map", kernels::resolve_map},
             {"sort_polygons", kernels::sort_polygons},
             {"trace_kept", kernels::trace_kept},
-            {"trace_map", kernels::trace_map},
             {"trace_direct", kernels::trace_direct},
             {"trace_rays", kernels::trace_rays}};
 }

@@ -5,7 +5,7 @@
 
 #include "kernels/raster/drawn_surface.glsl"
 #include "kernels/raster/view.glsl"
-#include "kernels/trace/map_surface_light.glsl"
+#include "kernels/trace/kept_surface_light.glsl"
 
 /// @param reflections that lie between the surface and the eye, less than frame.max_depth
 /// @param rays is set to how many it took

@@ -6,7 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "interop/bindings.h"
-#include "interop/glossy_map.h"
+#include "interop/lobe_albedo.h"
 #include "lib/surface.glsl"
 
 layout(scalar, set = METHOD_SET, binding = BINDING_LOBE_ALBEDO) readonly restrict buffer LobeAlbedos { LobeAlbedo lobe_albedos[]; };

@@ -5,6 +5,7 @@
 #include "renderers/scene/scene_change.h"
 
 #include "base/progress.h"
+#include "gpu/buffer.h"
 #include "gpu/pipeline_interface.h"
 
 #include <cstdint>
@@ -20,11 +21,14 @@ struct LightCost {
 };
 
 /// Light that diffuse surfaces of a scene send out, kept on them, on the device: one for all that look it up.
-/// Kernels see it as kernels/light/kept_light.glsl has it. It depends on the scene and its lights, not on the
-/// eye.
+/// Kernels see it as those of kernels/light/ have it. It depends on the scene and its lights, not on the eye.
 class SurfaceLight {
   public:
-    SurfaceLight() = default;
+    /// @param device must outlive this
+    /// @param under_glossy whether some of the diffuse surfaces lie under a glossy lobe, which takes its
+    /// share of the
+    ///     light according to the eye
+    SurfaceLight(Device& device, bool under_glossy);
     SurfaceLight(const SurfaceLight&) = delete;
     SurfaceLight& operator=(const SurfaceLight&) = delete;
     virtual ~SurfaceLight() = default;
@@ -38,8 +42,8 @@ class SurfaceLight {
     /// @throws Interrupted if progress says so; the light is not there then
     virtual void update(const SceneChange& change, Progress& progress) = 0;
 
-    /// What kernels/light/kept_light.glsl reads.
-    [[nodiscard]] virtual Bindings bindings() const = 0;
+    /// What kernels/light/kept_light.glsl and lobe_albedo.glsl read.
+    [[nodiscard]] Bindings bindings() const;
 
     /// Of the last fill() or update() that simulated light.
     [[nodiscard]] const LightCost& cost() const { return cost_; }
@@ -48,8 +52,14 @@ class SurfaceLight {
     [[nodiscard]] const std::vector<std::uint32_t>& changed() const { return changed_; }
 
   protected:
+    /// What kernels/light/kept_light.glsl reads.
+    [[nodiscard]] virtual Bindings kept_bindings() const = 0;
+
     LightCost cost_;
     std::vector<std::uint32_t> changed_;
+
+  private:
+    Buffer lobe_albedos_;  ///< without entries unless some surface is under a glossy lobe
 };
 
 }  // namespace utsuri

@@ -2,7 +2,6 @@
 #include "renderers/methods/ray_tracer.h"
 
 #include "renderers/film/frame_camera.h"
-#include "renderers/reflection/glossy/lobe_albedo.h"
 
 #include "interop/bindings.h"
 #include "kernels/trace_kept.h"
@@ -18,9 +17,6 @@ RayTracer::RayTracer(const RendererInput& input, const RenderSettings& settings)
       light_(input.light),
       kept_light_(settings.kept_light ? &input.kept_light.get() : nullptr),
       settings_(settings),
-      lobe_albedos_(kept_light_ == nullptr ? std::nullopt
-                                           : std::optional(make_buffer<interop::LobeAlbedo>(
-                                                 device_, lobe_albedo_table(), "albedos of lobes"))),
       frame_{{}, settings.seed, std::min(settings.max_depth, input.scene.max_depth()), interop::NONE},
       kernel_(make_kernel()) {
     set_camera(input.camera);
@@ -33,7 +29,6 @@ FilmKernel RayTracer::make_kernel() const {
                           std::move(bindings));
     }
     bindings.merge(kept_light_->bindings());
-    bindings[interop::BINDING_LOBE_ALBEDO] = &*lobe_albedos_;
     return FilmKernel(device_, "trace_kept", kernels::trace_kept, scene_.specialization(),
                       std::move(bindings));
 }

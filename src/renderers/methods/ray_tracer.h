@@ -5,8 +5,6 @@
 #include "renderers/methods/renderer.h"
 #include "renderers/methods/renderer_input.h"
 
-#include <optional>
-
 namespace utsuri {
 
 /// Follows every reflection ray by ray. Surfaces are lit anew where rays meet them, or, with
@@ -31,7 +29,6 @@ class RayTracer : public Renderer {
     const LightMethod& light_;
     SurfaceLight* kept_light_;  ///< with RenderSettings::kept_light
     RenderSettings settings_;
-    std::optional<Buffer> lobe_albedos_;  ///< with kept light
     FrameSettings frame_;
     FilmKernel kernel_;
 };

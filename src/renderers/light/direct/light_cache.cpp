@@ -83,7 +83,8 @@ std::uint64_t buffer_bytes(const std::vector<interop::LightCacheTriangle>& latti
 
 LightCache::LightCache(Device& device, const SceneData& data, const GpuScene& scene,
                        const LightSettings& settings)
-    : device_(device),
+    : SurfaceLight(device, data.requirements.glossy),
+      device_(device),
       data_(data),
       scene_(scene),
       settings_(settings),
@@ -158,7 +159,7 @@ void LightCache::simulate(const std::vector<interop::ChangedBox>& changed, Progr
     const Buffer bounds_buffer = make_buffer<interop::LightBounds>(device_, bounds, "bounds of lights");
     const Buffer changed_boxes = make_buffer<interop::ChangedBox>(device_, changed, "boxes of what changed");
     Bindings bindings = scene_.bindings();
-    bindings.merge(this->bindings());
+    bindings.merge(kept_bindings());
     bindings[interop::BINDING_COUNTERS] = &counters_;
     bindings[interop::BINDING_LIGHT_BOUNDS] = &bounds_buffer;
     bindings[interop::BINDING_CHANGED_BOXES] = &changed_boxes;
@@ -216,7 +217,7 @@ FrameCounts LightCache::simulate_points(const Kernel& kernel, const BindingSet& 
     return counts;
 }
 
-Bindings LightCache::bindings() const {
+Bindings LightCache::kept_bindings() const {
     return {{interop::BINDING_LIGHT_CACHE_TRIANGLES, &triangles_},
             {interop::BINDING_LIGHT_CACHE_POINTS, &light_}};
 }

@@ -28,7 +28,6 @@ class LightCache : public SurfaceLight {
     void fill(Progress& progress) override;
     /// Light is simulated only at points from which some way to a light leads through what changed.
     void update(const SceneChange& change, Progress& progress) override;
-    [[nodiscard]] Bindings bindings() const override;
 
     [[nodiscard]] const std::vector<interop::LightCacheTriangle>& lattices() const { return lattices_; }
     /// What is kept, in the order of the lattices.
@@ -38,6 +37,7 @@ class LightCache : public SurfaceLight {
     using Lattices = std::vector<interop::LightCacheTriangle>;
     using Points = std::vector<interop::LightCachePoint>;
 
+    [[nodiscard]] Bindings kept_bindings() const override;
     [[nodiscard]] bool is_filled() const { return revision_ == scene_.light_revision(); }
     [[nodiscard]] Lattices plan() const;
     /// Whether what is kept is of the scene one change before, at the same points of surfaces that it did not

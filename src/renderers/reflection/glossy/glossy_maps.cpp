@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/glossy/glossy_maps.h"
 
-#include "renderers/reflection/glossy/lobe_albedo.h"
 #include "renderers/reflection/glossy/map_prefilter.h"
 
 #include "base/check.h"
@@ -57,10 +56,7 @@ GlossyMaps::GlossyMaps(Device& device, const SceneData& data, const GlossyMapSet
       inverse_distances_(
           device,
           (keeps_distances(settings.kind) ? std::max<std::uint64_t>(1, plan_.texels) : 1) * sizeof(float),
-          "inverse distances of rough maps"),
-      lobe_albedos_(make_buffer<interop::LobeAlbedo>(
-          device, plan_.levels.empty() ? std::vector<interop::LobeAlbedo>() : lobe_albedo_table(),
-          "albedos of lobes")) {}
+          "inverse distances of rough maps") {}
 
 FrameCounts GlossyMaps::capture(const GpuScene& scene, const SurfaceLight& light,
                                 const RenderSettings& settings, double& seconds_to_compile,
@@ -109,8 +105,7 @@ Bindings GlossyMaps::bindings() const {
             {interop::BINDING_GLOSSY_PROBES, &probes_},
             {interop::BINDING_GLOSSY_LEVELS, &levels_},
             {interop::BINDING_GLOSSY_TEXELS, &texels_},
-            {interop::BINDING_GLOSSY_INVERSE_DISTANCES, &inverse_distances_},
-            {interop::BINDING_LOBE_ALBEDO, &lobe_albedos_}};
+            {interop::BINDING_GLOSSY_INVERSE_DISTANCES, &inverse_distances_}};
 }
 
 std::uint32_t GlossyMaps::stride(std::uint32_t level) const {

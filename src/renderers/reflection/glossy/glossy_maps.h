@@ -69,7 +69,6 @@ class GlossyMaps {
     Buffer levels_;
     Buffer texels_;
     Buffer inverse_distances_;
-    Buffer lobe_albedos_;
 };
 
 }  // namespace utsuri

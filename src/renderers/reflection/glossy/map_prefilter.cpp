@@ -7,7 +7,7 @@
 #include "kernels/halve_map.h"
 #include "kernels/prefilter_map.h"
 #include "kernels/resolve_map.h"
-#include "kernels/trace_map.h"
+#include "kernels/trace_kept.h"
 
 #include <bit>
 
@@ -63,7 +63,7 @@ std::uint64_t MapPrefilter::source_texels(std::uint32_t size) {
 MapPrefilter::MapPrefilter(Device& device, const GpuScene& scene, const SurfaceLight& light,
                            const ConvolvedMaps& maps, std::uint32_t largest_source)
     : device_(device),
-      tracer_(device, "trace_map", kernels::trace_map, capture_constants(scene),
+      tracer_(device, "trace_kept", kernels::trace_kept, capture_constants(scene),
               scene_bindings(scene, light)),
       resolver_(device, "resolve_map", kernels::resolve_map, {}, sizeof(interop::ResolveMapPush)),
       halver_(device, "halve_map", kernels::halve_map, convolve_constants(maps),

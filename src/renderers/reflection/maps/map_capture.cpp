@@ -6,7 +6,7 @@
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/resolve_map.h"
-#include "kernels/trace_map.h"
+#include "kernels/trace_kept.h"
 
 #include <algorithm>
 
@@ -45,7 +45,7 @@ void MapCapture::prepare(const Camera& eye, RenderStatistics& statistics) {
     if (statistics.maps == 0) return;
     const Stopwatch stopwatch;
     maps_.orient_to(eye);
-    tracer_.emplace(device_, "trace_map", kernels::trace_map, tracing_specialization(scene_, maps_.kind()),
+    tracer_.emplace(device_, "trace_kept", kernels::trace_kept, tracing_specialization(scene_, maps_.kind()),
                     tracing_bindings(scene_, light_));
     resolver_.emplace(device_, "resolve_map", kernels::resolve_map, Specialization{},
                       sizeof(interop::ResolveMapPush));

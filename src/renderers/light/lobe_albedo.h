@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "interop/glossy_map.h"
+#include "interop/lobe_albedo.h"
 
 #include <vector>
 

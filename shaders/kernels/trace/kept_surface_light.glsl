@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What specular_chain.glsl asks for, with the light that leaves diffusely taken from where it is kept on surfaces; lights
+// that glossy lobes reflect are sampled where rays meet the surface.
+#ifndef UTSURI_KERNELS_TRACE_KEPT_SURFACE_LIGHT
+#define UTSURI_KERNELS_TRACE_KEPT_SURFACE_LIGHT
+#include "kernels/light/kept_light.glsl"
+#include "kernels/light/lobe_albedo.glsl"
+#include "kernels/scene/direct_light.glsl"
+#include "kernels/trace/specular_chain.glsl"
+
+vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
+                   inout uint rays) {
+    vec3 kept = kept_light(light_record(hit.triangle), vec2(hit.b1, hit.b2), surface.front);
+    float cos_o = abs(dot(surface.ns, wo));
+    if (!has_lobe(surface, LOBE_GLOSSY)) return diffuse_reflectance(surface, cos_o) * kept;
+    return diffuse_under_lobe(surface, lobe_albedo(surface, cos_o)) * kept +
+           direct_light(surface, wo, 1u << LOBE_GLOSSY, key, index, dimension, excluded_instance, rays);
+}
+
+#endif
