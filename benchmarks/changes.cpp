@@ -45,7 +45,7 @@ std::optional<std::size_t> smallest_instance(const Scene& scene, bool is_mirror)
     std::optional<std::size_t> smallest;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Material& material = scene.materials[scene.instances[i].material];
-        if (may_be_specular(scene, material) != is_mirror || material.emissive != glm::vec3(0.0f)) continue;
+        if (may_be_mirror(scene, material) != is_mirror || material.emissive != glm::vec3(0.0f)) continue;
         if (!smallest || extent_of(scene, scene.instances[i]) < extent_of(scene, scene.instances[*smallest]))
             smallest = i;
     }

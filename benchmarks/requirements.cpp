@@ -32,7 +32,7 @@ SceneData with_everything_on(SceneData data) {
     needs.emissive_triangles = std::max<std::uint64_t>(needs.emissive_triangles, 1);
     needs.punctual_lights = std::max(needs.punctual_lights, 1u);
     needs.glossy = true;
-    needs.specular = true;
+    needs.mirror = true;
     needs.max_depth = kUnboundedDepth;
     data.bvh.depth = interop::BVH_MAX_DEPTH;
     needs.reflective_instances.clear();

@@ -68,7 +68,7 @@ struct AovPixel {
     uint triangle;  ///< device order, or NONE
     uint instance;
     uint material;
-    uint specular;  ///< 1 where the surface is a perfect mirror or smooth dielectric
+    uint mirror;  ///< 1 where the surface is a perfect mirror or smooth dielectric
 };
 
 /// Pixels are worked on in square tiles of this edge; a tile is a workgroup (WORKGROUP_SIZE).

@@ -24,20 +24,20 @@ INTEROP_FLOAT_CONSTANT DRAWN_RAY = 1024.0f;     ///< or more: by so many rays ti
 /// Counted for a pixel, at most: halves stay exact in float32.
 INTEROP_CONSTANT DRAWN_MOST_RAYS = 8191u;
 
-/// Number of the image that the eye sees directly; those in mirrors follow.
+/// Number of the view that the eye has directly; mirrored views follow.
 INTEROP_CONSTANT VIEW_OF_EYE = 1024u;
-/// Instead of an image: a mirror whose image is not drawn.
+/// In place of a number: a mirror without a view.
 INTEROP_CONSTANT VIEW_TRUNCATED = 0u;
 
-/// Push constants of what draws one image of the scene: as seen from the eye, or from an eye mirrored in one
-/// mirror after the other. At most 128 bytes (the least that Vulkan guarantees).
+/// Push constants of what draws one view of the scene: from the eye, or from the eye mirrored in one mirror
+/// after the other. At most 128 bytes (the least that Vulkan guarantees).
 struct ViewPush {
     CameraInfo camera;
     vec3 normal;  ///< only what is at dot(normal, x) > offset shows in the last mirror
     float offset;
-    uint number;       ///< of this image: only pixels that wait for it are drawn
+    uint number;       ///< of this view: only pixels that wait for it are drawn
     uint reflections;  ///< mirrors that it is seen in
-    uint next;         ///< image in the mirror that is drawn, or VIEW_TRUNCATED
+    uint next;         ///< number of the view in the mirror that is drawn, or VIEW_TRUNCATED
 };
 
 struct AddDrawnPush {

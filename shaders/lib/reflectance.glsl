@@ -31,7 +31,7 @@ bool is_glossy(Surface surface) {
 }
 
 /// Whether it is a single direction: mirror.glsl.
-bool is_specular(Surface surface) {
+bool is_mirror(Surface surface) {
     return surface.alpha == 0.0 && reflects_specularly(surface);
 }
 

@@ -11,7 +11,7 @@ layout(constant_id = SPEC_HAS_TEXTURES) const bool HAS_TEXTURES = true;
 layout(constant_id = SPEC_HAS_TRIANGLE_LIGHTS) const bool HAS_TRIANGLE_LIGHTS = true;
 layout(constant_id = SPEC_HAS_PUNCTUAL_LIGHTS) const bool HAS_PUNCTUAL_LIGHTS = true;
 layout(constant_id = SPEC_HAS_GLOSSY) const bool HAS_GLOSSY = true;
-layout(constant_id = SPEC_HAS_SPECULAR) const bool HAS_SPECULAR = true;
+layout(constant_id = SPEC_HAS_MIRROR) const bool HAS_MIRROR = true;
 layout(constant_id = SPEC_EXCLUDES_INSTANCE) const bool EXCLUDES_INSTANCE = false;
 layout(constant_id = SPEC_LIGHT_COUNT) const uint LIGHT_COUNT = 0u;
 /// Index of the surroundings among the lights, or NONE.

@@ -71,7 +71,7 @@ const std::vector<Aov>& all_aovs() {
          {"material.I"},
          [](const AovPixel& p, const SceneData&, float* out) { out[0] = number(p.material); }},
         {"reflective", {"reflective.I"}, [](const AovPixel& p, const SceneData&, float* out) {
-             out[0] = static_cast<float>(p.specular);
+             out[0] = static_cast<float>(p.mirror);
          }}};
     return aovs;
 }

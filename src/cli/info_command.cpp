@@ -94,8 +94,8 @@ std::string describe(const InfoOptions& options, const LoadedScene& loaded, cons
     row("punctual lights", fmt::format("{}", needs.punctual_lights));
     row("uniform surroundings", yes(needs.environment));
     row("texture lookups", yes(needs.textures > 0));
-    row("rough specular lobes", yes(needs.glossy));
-    row("mirrors", yes(needs.specular));
+    row("glossy lobes", yes(needs.glossy));
+    row("mirrors", yes(needs.mirror));
     for (const std::uint32_t instance : needs.reflective_instances) {
         row("", loaded.scene.instances[instance].name);
     }
@@ -107,7 +107,7 @@ std::string describe(const InfoOptions& options, const LoadedScene& loaded, cons
     row("light on surfaces", format_bytes(memory.light));
     row("drawing", format_bytes(memory.drawing));
     row("polygon maps", format_bytes(memory.polygon_maps));
-    row("maps of rough lobes", format_bytes(memory.glossy_maps));
+    row("maps of glossy lobes", format_bytes(memory.glossy_maps));
     row("distances beside maps", format_bytes(memory.distances));
     if (!loaded.notes.empty()) text += "notes\n";
     for (const std::string& note : loaded.notes)
@@ -142,7 +142,7 @@ nlohmann::ordered_json to_json(const InfoOptions& options, const LoadedScene& lo
           {"environment", needs.environment},
           {"textures", needs.textures > 0},
           {"glossy", needs.glossy},
-          {"specular", needs.specular},
+          {"mirror", needs.mirror},
           {"reflective_instances", reflective},
           {"specular_depth", needs.max_depth == kUnboundedDepth ? nlohmann::ordered_json(nullptr)
                                                                 : nlohmann::ordered_json(needs.max_depth)}}},
@@ -152,7 +152,7 @@ nlohmann::ordered_json to_json(const InfoOptions& options, const LoadedScene& lo
           {"light", memory.light},
           {"drawing", memory.drawing},
           {"polygon_maps", memory.polygon_maps},
-          {"rough_maps", memory.glossy_maps},
+          {"glossy_maps", memory.glossy_maps},
           {"distances", memory.distances}}},
         {"notes", loaded.notes}};
 }

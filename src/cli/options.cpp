@@ -161,7 +161,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     command.add_option("--seed", options.seed, "Seed of the random numbers")
         ->check(CLI::Range(0u, std::numeric_limits<std::uint32_t>::max()))
         ->capture_default_str();
-    command.add_option("--depth", options.depth, "Most reflections by mirrors and rough lobes followed")
+    command.add_option("--depth", options.depth, "Most reflections by mirrors and glossy lobes followed")
         ->check(CLI::Range(0u, 1000000u))
         ->capture_default_str();
     command

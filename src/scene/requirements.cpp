@@ -19,9 +19,9 @@ constexpr std::size_t kMetallicChannel = 2;
 /// What a material does at its roughest, smoothest and most metallic points.
 struct MaterialRange {
     RoughnessRange roughness;
-    bool reflects = false;  ///< some point has a specular lobe, smooth or rough
+    bool reflects = false;  ///< some point has a mirror or glossy lobe
 
-    [[nodiscard]] bool may_be_specular() const {
+    [[nodiscard]] bool may_be_mirror() const {
         return reflects && roughness.least < interop::SPECULAR_ROUGHNESS;
     }
     [[nodiscard]] bool may_be_glossy() const {
@@ -121,8 +121,8 @@ TextureRange find_texture_range(const Texture& texture) {
     return range;
 }
 
-bool may_be_specular(const Scene& scene, const Material& material) {
-    return material_range(scene, material).may_be_specular();
+bool may_be_mirror(const Scene& scene, const Material& material) {
+    return material_range(scene, material).may_be_mirror();
 }
 
 bool may_be_glossy(const Scene& scene, const Material& material) {
@@ -148,7 +148,7 @@ Requirements find_requirements(const Scene& scene, TextureRanges& ranges) {
         needs.triangles += mesh.triangles.size();
         needs.vertices += mesh.positions.size();
         if (material.emissive != glm::vec3(0.0f)) needs.emissive_triangles += mesh.triangles.size();
-        if (!mesh.triangles.empty() && range.may_be_specular()) needs.reflective_instances.push_back(i);
+        if (!mesh.triangles.empty() && range.may_be_mirror()) needs.reflective_instances.push_back(i);
         if (!mesh.triangles.empty() && range.reflects) lobed_instances.push_back(i);
         if (!materials.insert(instance.material).second || !has_texture(material)) continue;
         for (const TextureSlot* slot : {&material.base_colour_texture, &material.metallic_roughness_texture,
@@ -157,7 +157,7 @@ Requirements find_requirements(const Scene& scene, TextureRanges& ranges) {
         }
     }
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        needs.surfaces.push_back({of_materials[i].may_be_glossy(), of_materials[i].may_be_specular(),
+        needs.surfaces.push_back({of_materials[i].may_be_glossy(), of_materials[i].may_be_mirror(),
                                   has_texture(scene.materials[i])});
         needs.roughness.push_back(of_materials[i].roughness);
     }
@@ -171,7 +171,7 @@ Requirements find_requirements(const Scene& scene, TextureRanges& ranges) {
     needs.textures = static_cast<std::uint32_t>(textures.size());
     needs.punctual_lights = static_cast<std::uint32_t>(scene.lights.size());
     needs.environment = scene.environment != glm::vec3(0.0f);
-    needs.specular = !needs.reflective_instances.empty();
+    needs.mirror = !needs.reflective_instances.empty();
     if (!lobed_instances.empty()) {
         needs.max_depth = in_one_plane(scene, lobed_instances) ? 1 : kUnboundedDepth;
     }

@@ -13,8 +13,8 @@ namespace utsuri {
 
 /// What shading a material takes.
 struct SurfaceFeatures {
-    bool glossy = false;    ///< some point has a glossy specular lobe
-    bool specular = false;  ///< some point reflects like a perfect mirror
+    bool glossy = false;  ///< some point has a glossy specular lobe
+    bool mirror = false;  ///< some point reflects like a perfect mirror
     bool textured = false;
 
     friend auto operator<=>(const SurfaceFeatures&, const SurfaceFeatures&) = default;
@@ -51,7 +51,7 @@ struct Requirements {
     std::uint32_t punctual_lights = 0;
     bool environment = false;                         ///< uniform surroundings
     bool glossy = false;                              ///< glossy specular lobes
-    bool specular = false;                            ///< perfect mirrors or smooth dielectrics
+    bool mirror = false;                              ///< perfect mirrors or smooth dielectrics
     std::vector<std::uint32_t> reflective_instances;  ///< with a specular surface
     std::vector<SurfaceFeatures> surfaces;            ///< of each material, in use or not
     std::vector<RoughnessRange> roughness;            ///< of each material
@@ -64,7 +64,7 @@ struct Requirements {
 inline constexpr std::uint32_t kUnboundedDepth = 0xffffffffu;
 
 /// Whether some point of the material reflects like a perfect mirror.
-bool may_be_specular(const Scene& scene, const Material& material);
+bool may_be_mirror(const Scene& scene, const Material& material);
 /// Whether some point of the material has a glossy specular lobe.
 bool may_be_glossy(const Scene& scene, const Material& material);
 

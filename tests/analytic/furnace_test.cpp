@@ -94,7 +94,7 @@ constexpr std::array<AlbedoRow, 5> kGgxAlbedo = {{{0.04, {0.998298, 0.997372, 0.
 
 TEST_F(Furnace, GgxMetalShowsItsDirectionalAlbedo) {
     for (const AlbedoRow& row : kGgxAlbedo) {
-        Observer observer(device(), plate_in_furnace(rough_metal(static_cast<float>(std::sqrt(row.alpha)))));
+        Observer observer(device(), plate_in_furnace(glossy_metal(static_cast<float>(std::sqrt(row.alpha)))));
         for (std::size_t i = 0; i < kCosines.size(); ++i) {
             SCOPED_TRACE(testing::Message() << "alpha " << row.alpha << ", cosine " << kCosines[i]);
             const Estimate estimate = plate(observer, kCosines[i], 256);
@@ -114,7 +114,7 @@ TEST_F(Furnace, ReflectanceOfAMetalScalesItsAlbedo) {
                            Split{0.5, 0.5, 0.688101, 0.010150}, Split{1.0, 0.5, 0.447705, 0.002989}}) {
         SCOPED_TRACE(s.alpha);
         const auto roughness = static_cast<float>(std::sqrt(s.alpha));
-        Observer observer(device(), plate_in_furnace(rough_metal(roughness, glm::vec3(kF0))));
+        Observer observer(device(), plate_in_furnace(glossy_metal(roughness, glm::vec3(kF0))));
         expect_radiance(plate(observer, s.mu, 256), static_cast<double>(kF0) * s.a + s.b);
     }
 }
@@ -125,7 +125,7 @@ TEST_F(Furnace, GlossyMetalBallNeverGains) {
         SCOPED_TRACE(alpha);
         Scene scene;
         scene.environment = glm::vec3(1.0f);
-        add(scene, icosphere(glm::vec3(0.0f), 1.0f, 2), rough_metal(static_cast<float>(std::sqrt(alpha))));
+        add(scene, icosphere(glm::vec3(0.0f), 1.0f, 2), glossy_metal(static_cast<float>(std::sqrt(alpha))));
         Observer observer(device(), scene);
         for (const glm::dvec3 target : {glm::dvec3(0, 0, 0), glm::dvec3(0.6, 0, 0), glm::dvec3(0.9, 0.3, 0),
                                         glm::dvec3(0.3, -0.92, 0)}) {

@@ -91,7 +91,7 @@ TEST_F(GlossyDistances, SharpLobesShowTheTrueHits) {
         const CodedWalls walls = turned_room({0, 0, 0}, {0.8, 0.6, 1.0}, angle);
         Scene scene;
         walls.add_to(scene, kWallAtLowerZ);
-        add(scene, quad({0, 0, 0}, glm::vec3(turned({0.8, 0, 0}, angle)), {0, 0.6f, 0}), rough_metal(0.04f));
+        add(scene, quad({0, 0, 0}, glm::vec3(turned({0.8, 0, 0}, angle)), {0, 0.6f, 0}), glossy_metal(0.04f));
         const glm::dvec3 capture_point = turned({0.4, 0.3, 0.5}, angle);
         MapObserver observer(device(), scene, MapKind::distance, map_settings(kSize, capture_point));
         for (const Ray& ray : kRays) {

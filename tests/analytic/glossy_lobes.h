@@ -16,7 +16,7 @@ namespace utsuri::test {
 
 /// Of a GGX width.
 inline Material metal_of(double alpha, float f0 = 1.0f) {
-    return rough_metal(static_cast<float>(std::sqrt(alpha)), glm::vec3(f0));
+    return glossy_metal(static_cast<float>(std::sqrt(alpha)), glm::vec3(f0));
 }
 
 /// Weight of light from l where normal and viewer lie along n: GGX D(h) times the cosine.

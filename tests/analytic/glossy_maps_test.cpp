@@ -241,7 +241,7 @@ class GlossyBall : public DeviceTest {
         RenderSettings settings;
         settings.width = settings.height = 32;
         const Camera camera = look_at({0.0, 1.2, 1.9}, {0.0, 1.0, 0.0}, 0.4);
-        add(room, icosphere({0.0f, 1.0f, 0.0f}, 0.3f, 4), rough_metal(roughness));
+        add(room, icosphere({0.0f, 1.0f, 0.0f}, 0.3f, 4), glossy_metal(roughness));
         Observer tracing(device(), room);
         Pictures result{trace_twice(tracing, camera, settings, 512), {}};
         for (const MapKind kind : kinds) {
@@ -312,7 +312,7 @@ TEST_F(GlossyMapping, ATurnedRoomIsCorrectedLikeAStraightOne) {
         Scene scene;
         turned_room({-2, 0, -1.5}, {2, 2.5, 2.5}, angle).add_to(scene);
         const glm::dvec3 ball = turned({0.3, 1.0, 0.2}, angle);
-        add(scene, icosphere(glm::vec3(ball), 0.3f, 4), rough_metal(0.3f));
+        add(scene, icosphere(glm::vec3(ball), 0.3f, 4), glossy_metal(0.3f));
         MapObserver observer(device(), scene, MapKind::proxy, map_settings(128));
         return observer.picture(look_at(turned({0.3, 1.2, 2.1}, angle), ball, 0.25), settings, 16);
     };

@@ -23,7 +23,7 @@ MapSettings from_points(std::uint32_t most) {
 /// A floor of rough metal, 2 m wide, with a wall that shines on one side of a screen.
 Scene screened_floor() {
     Scene scene;
-    add(scene, ground(1.0f), rough_metal(0.7f));
+    add(scene, ground(1.0f), glossy_metal(0.7f));
     add(scene, quad({0, 0.02f, -1}, {0, 0, 2}, {0, 1, 0}), lambert(glm::vec3(0.0f)));
     add(scene, quad({-1, 0, -1}, {0, 1, 0}, {0, 0, 2}), emitter(glm::vec3(1.0f)));
     return scene;
@@ -42,7 +42,7 @@ class GlossyProbes : public DeviceTest {
 /// A room with a floor of rough metal, half of it behind a screen from the lamp.
 Scene parted_room(float roughness) {
     Scene scene;
-    add(scene, quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}), rough_metal(roughness));
+    add(scene, quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}), glossy_metal(roughness));
     add(scene, room({-2, -0.2f, -2}, {2, 2.5f, 2}), lambert(glm::vec3(0.6f)));
     add(scene, quad({0.5f, 0, -2}, {0, 0, 2.5f}, {0, 2, 0}), lambert(glm::vec3(0.5f)));
     add(scene, quad({-1.5f, 2.45f, -1}, {1, 0, 0}, {0, 0, 1}), emitter(glm::vec3(10.0f)));

@@ -46,7 +46,7 @@ Scene plate_under_ceiling(const Material& material) {
 }
 
 Material metal_of(double alpha, float f0 = 1.0f) {
-    return rough_metal(static_cast<float>(std::sqrt(alpha)), glm::vec3(f0));
+    return glossy_metal(static_cast<float>(std::sqrt(alpha)), glm::vec3(f0));
 }
 
 struct AlbedoRow {

@@ -127,7 +127,7 @@ TEST_F(HybridViews, TellWhereRaysWereFollowedAndWhatIsOff) {
         const MeasuredError& measured = hybrid.measured[i];
         ASSERT_EQ(hybrid.traced[i] < 0.0f, predicted.pixels < 0.0f);
         ASSERT_EQ(hybrid.traced[i] < 0.0f, measured.pixels < 0.0f);
-        const bool is_mirror = aovs[i].triangle != interop::NONE && aovs[i].specular != 0;
+        const bool is_mirror = aovs[i].triangle != interop::NONE && aovs[i].mirror != 0;
         if (is_mirror != (hybrid.traced[i] >= 0.0f)) {
             ++others;
         } else if (is_mirror && aovs[i].instance == 0) {
@@ -188,7 +188,7 @@ TEST_F(HybridViews, OfCurvedMirrorsAreCutWhereChainsAre) {
     EXPECT_LT(share_that_differs(hybrid.image, traced(scene, shallow), 0.15f), kMostEdgePixels);
 }
 
-// Without a reflection allowed, what is not looked up is dark, with images in plane mirrors and without.
+// Without a reflection allowed, what is not looked up is dark, with mirrored views and without.
 TEST_F(HybridViews, NoRayIsFollowedAtADepthOfNothing) {
     RenderSettings flat = kPicture;
     flat.max_depth = 0;

@@ -117,7 +117,7 @@ TEST_F(LightLeaks, ATurnedClosedBoxIsDarkInside) {
 }
 
 TEST_F(LightLeaks, AGlossyClosedBoxIsDarkInside) {
-    expect_dark(dark_room(rough_metal(0.5f), turned(), 0.0f), turned(), 8);
+    expect_dark(dark_room(glossy_metal(0.5f), turned(), 0.0f), turned(), 8);
 }
 
 TEST_F(LightLeaks, AMirrorBoxIsDarkInside) {

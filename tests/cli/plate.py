@@ -9,7 +9,7 @@ import math
 EYE, LIGHT, INTENSITY, FIELD = (0.0, 0.0, 3.0), (1.0, 1.0, 3.0), 100.0, 0.9
 # Directional albedo of GGX with an alpha of 1 at cosines of 1 and 0.5, between which it only rises (references.md A3.4).
 LEAST_ALBEDO, MOST_ALBEDO = 0.306853, 0.450694
-# Of the table of albedos, between its entries: see rough_maps_test.cpp.
+# Of the table of albedos, between its entries: see glossy_maps_test.cpp.
 TABLE = 5e-3
 # Places along an edge of a pixel at which its footprint is looked at.
 STEPS = 5

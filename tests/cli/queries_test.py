@@ -65,7 +65,7 @@ class Queries(CliCase):
     def test_info_tells_what_is_required(self):
         cornell = self.json_of("info", self.scene("cornell"))["requires"]
         expected = {"emissive_triangles": 2, "punctual_lights": 0, "environment": False, "textures": False,
-                    "glossy": False, "specular": False, "reflective_instances": [], "specular_depth": 0}
+                    "glossy": False, "mirror": False, "reflective_instances": [], "specular_depth": 0}
         self.assertEqual(cornell, expected)
         office = self.json_of("info", self.scene("office"))["requires"]
         self.assertEqual(office["emissive_triangles"], 16)
@@ -91,9 +91,9 @@ class Queries(CliCase):
     def test_info_predicts_no_maps_without_specular_lobes(self):
         predicted = self.json_of("info", self.scene("cornell"))["predicted_bytes"]
         self.assertEqual(predicted["polygon_maps"], 0)
-        self.assertEqual(predicted["rough_maps"], 0)
+        self.assertEqual(predicted["glossy_maps"], 0)
         self.assertEqual(predicted["distances"], 0)
-        self.assertGreater(self.json_of("info", self.scene("office"))["predicted_bytes"]["rough_maps"], 0)
+        self.assertGreater(self.json_of("info", self.scene("office"))["predicted_bytes"]["glossy_maps"], 0)
 
     def test_version_and_help(self):
         self.assertRegex(self.succeed("--version").stdout, r"^utsuri \d+\.\d+\.\d+\n$")

@@ -12,7 +12,7 @@ constexpr RenderSettings kSettings{24, 18, 3, 8};
 Scene without_lobes() {
     Scene scene = everything_scene();
     for (Material& material : scene.materials) {
-        if (may_be_specular(scene, material) || may_be_glossy(scene, material))
+        if (may_be_mirror(scene, material) || may_be_glossy(scene, material))
             material = lambert(glm::vec3(0.5f));
     }
     return scene;

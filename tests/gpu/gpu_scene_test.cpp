@@ -43,7 +43,7 @@ Scene make_textured_scene() {
     Scene scene;
     scene.textures = {noise(4096, 1), noise(2048, 2), noise(2048, 3), noise(1024, 4), noise(64, 5)};
     for (std::int32_t i = 0; i < 5; ++i) {
-        Material material = i == 2 ? rough_metal(1.0f) : lambert(glm::vec3(0.5f));
+        Material material = i == 2 ? glossy_metal(1.0f) : lambert(glm::vec3(0.5f));
         if (i == 2) material.metallic_roughness_texture.texture = 3;
         if (i == 3) material = emitter(glm::vec3(1.0f), glm::vec3(0.5f));
         if (i == 3) material.emissive_texture.texture = i;

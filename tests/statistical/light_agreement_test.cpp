@@ -39,7 +39,7 @@ class LightAgreement : public DeviceTest {
                                       make_camera_info(camera, data.origin, kPicture.width, kPicture.height),
                                       kPicture.width, kPicture.height);
         const auto is_diffuse = [&](const interop::AovPixel& pixel) {
-            return pixel.triangle != interop::NONE && pixel.specular == 0 &&
+            return pixel.triangle != interop::NONE && pixel.mirror == 0 &&
                    !data.requirements.surfaces[pixel.material].glossy &&
                    data.triangle_infos[pixel.triangle].light == interop::NONE;
         };

@@ -124,7 +124,7 @@ void expect_visible_normals(Device& device, const SceneData& data, const GlossyC
 
 TEST_F(Sampling, GlossyDirectionsFollowTheVisibleNormals) {
     Scene scene;
-    add(scene, ground(1.0f), rough_metal(0.5f));
+    add(scene, ground(1.0f), glossy_metal(0.5f));
     const SceneData data = prepare_scene_data(scene);
     const glm::dvec3 tilted = glm::normalize(glm::dvec3(0.4, -0.7, -0.3));
     std::uint32_t seed = 1;
@@ -171,7 +171,7 @@ constexpr std::uint32_t kGlossyLobe = 1;
 
 TEST_F(Sampling, DiffuseDirectionsFollowTheCosine) {
     Scene scene;
-    add(scene, ground(1.0f), rough_metal(0.5f));
+    add(scene, ground(1.0f), glossy_metal(0.5f));
     const SceneData data = prepare_scene_data(scene);
     const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 2, -0.5));
     const Basis basis(normal, {0.2, 0.5, 0.7});
@@ -197,7 +197,7 @@ TEST_F(Sampling, DiffuseDirectionsFollowTheCosine) {
 // twice; it changes by at most 2 / alpha a radian, and h is known to some units of 2^-24.
 TEST_F(Sampling, ThroughputsOfLobesAreTheirValuesOverTheirDensities) {
     Scene scene;
-    add(scene, ground(1.0f), rough_metal(0.5f));
+    add(scene, ground(1.0f), glossy_metal(0.5f));
     const SceneData data = prepare_scene_data(scene);
     for (const std::uint32_t lobe : {kDiffuseLobe, kGlossyLobe}) {
         for (const float alpha : {0.05f, 0.3f, 1.0f}) {
@@ -227,7 +227,7 @@ TEST_F(Sampling, ThroughputsOfLobesAreTheirValuesOverTheirDensities) {
 // round.
 TEST_F(Sampling, SurfacesKnowTheirSideAndTheirRatioOfIndices) {
     Scene scene;
-    Material glass = rough_metal(0.5f);
+    Material glass = glossy_metal(0.5f);
     glass.ior = 1.5f;
     add(scene, ground(1.0f), glass);
     const SceneData data = prepare_scene_data(scene);

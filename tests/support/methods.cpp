@@ -23,7 +23,7 @@ Texture checker() {
 
 std::ostream& operator<<(std::ostream& stream, const DrawnMethod& method) {
     return stream << "kind of map " << static_cast<int>(method.kind)
-                  << (method.draws_mirrored_views ? " with images in plane mirrors" : "");
+                  << (method.draws_mirrored_views ? " with mirrored views" : "");
 }
 
 std::vector<DrawnMethod> drawn_methods() {
@@ -87,7 +87,7 @@ Scene everything_scene() {
         emitter(glm::vec3(50)));
     add(scene, icosphere(glm::vec3(-0.6f, 0.5f, -0.5f), 0.5f, 2), mirror());
     add(scene, icosphere(glm::vec3(0.9f, 0.4f, 0.2f), 0.4f, 1),
-        rough_metal(0.4f, glm::vec3(0.9f, 0.7f, 0.4f)));
+        glossy_metal(0.4f, glm::vec3(0.9f, 0.7f, 0.4f)));
     add(scene, quad(glm::vec3(-1, 0.5f, -2.45f), glm::vec3(2, 0, 0), glm::vec3(0, 1.5f, 0)), mirror());
     Light point;
     point.position = glm::dvec3(1.5, 2.0, 1.5);

@@ -31,7 +31,7 @@ Material emitter(glm::vec3 radiance, glm::vec3 albedo) {
     return material;
 }
 
-Material rough_metal(float roughness, glm::vec3 f0) {
+Material glossy_metal(float roughness, glm::vec3 f0) {
     Material material;
     material.base_colour = f0;
     material.roughness = roughness;

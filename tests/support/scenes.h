@@ -19,7 +19,7 @@ namespace utsuri::test {
 Material lambert(glm::vec3 albedo);
 Material mirror();
 Material emitter(glm::vec3 radiance, glm::vec3 albedo = glm::vec3(0.0f));
-Material rough_metal(float roughness, glm::vec3 f0 = glm::vec3(1.0f));
+Material glossy_metal(float roughness, glm::vec3 f0 = glm::vec3(1.0f));
 
 /// Meshes. A quad spans `u` and `v` from `corner`; its front is where u x v points. A sphere has its front
 /// outside and smooth normals; an icosphere of 20 * 4^level triangles inscribed in the radius.

@@ -25,7 +25,7 @@ float distance_along(vec3 direction) {
     if (is_plane && dot(push.plane_normal, point) <= push.plane_distance) return 0.0;
     Surface surface = make_surface(hit, direction);
     // A mirror shows things at places of their own. A glossy lobe shows its surface in its place, but not as bright.
-    return is_specular(surface) || (MARKS_GLOSSY && is_glossy(surface)) ? -hit.t : hit.t;
+    return is_mirror(surface) || (MARKS_GLOSSY && is_glossy(surface)) ? -hit.t : hit.t;
 }
 
 /// A direction just behind the plane of a plane mirror that holds the capture point, lifted to just before it; any other is

@@ -11,7 +11,7 @@ void draw_hybrid_reflector() {
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
     float found = DRAWN_PLAIN;
-    if (is_specular(surface)) radiance += hybrid_light(surface, wo, 0u, found);
+    if (is_mirror(surface)) radiance += hybrid_light(surface, wo, 0u, found);
     drawn = vec4(radiance, found);
 }
 

@@ -9,7 +9,7 @@
 void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface = drawn_surface();
-    if (!is_specular(surface)) {
+    if (!is_mirror(surface)) {
         drawn = vec4(-1.0);
         return;
     }

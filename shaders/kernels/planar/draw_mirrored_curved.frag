@@ -15,7 +15,7 @@ void main() {
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
     float state = complete_after(view.reflections);
-    if (is_specular(surface)) {
+    if (is_mirror(surface)) {
         state = found_by(view.reflections, 0u);
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
                     mapped_radiance(surface, mirror_direction(surface, wo));

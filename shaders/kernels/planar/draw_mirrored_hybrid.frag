@@ -16,7 +16,7 @@ void main() {
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
     float state = complete_after(view.reflections);
-    if (is_specular(surface)) radiance += hybrid_light(surface, wo, view.reflections, state);
+    if (is_mirror(surface)) radiance += hybrid_light(surface, wo, view.reflections, state);
     drawn = with_light(radiance, state);
     drawn_throughput = vec4(0.0);
 }

@@ -12,7 +12,7 @@ void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
-    bool mirrors = is_specular(surface);
+    bool mirrors = is_mirror(surface);
     float state = complete_after(view.reflections);
     if (mirrors) state = view.next == VIEW_TRUNCATED ? truncated_at(view.reflections + 1u) : waiting_for(view.next);
     drawn = with_light(radiance, state);

@@ -14,7 +14,7 @@ void main() {
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
     float state = complete_after(view.reflections);
-    if (is_specular(surface)) {
+    if (is_mirror(surface)) {
         uint rays;
         vec3 reflected = traced_radiance(surface, wo, view.reflections, rays);
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) * reflected;

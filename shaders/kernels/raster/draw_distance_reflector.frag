@@ -12,7 +12,7 @@ void main() {
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
     float found = DRAWN_PLAIN;
-    if (is_specular(surface)) {
+    if (is_mirror(surface)) {
         found = DRAWN_LOOKED_UP;
         ProbeHit hit = search_probes(drawn_ids.w, surface.position, mirror_direction(surface, wo));
         vec3 direction = isinf(hit.interval.guess) ? hit.ray.direction : ray_place(hit.ray, hit.interval.guess);

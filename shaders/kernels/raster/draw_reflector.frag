@@ -11,7 +11,7 @@ void main() {
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
     float found = DRAWN_PLAIN;
-    if (is_specular(surface)) {
+    if (is_mirror(surface)) {
         found = DRAWN_LOOKED_UP;
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
                     mapped_radiance(surface, mirror_direction(surface, wo));

@@ -11,7 +11,7 @@ struct LightSample {
     vec3 direction;      ///< unit, from the surface to the light
     vec3 target;         ///< where the shadow ray ends, off the light's own surface; unused where `infinite`
     bool infinite;
-    vec3 irradiance;     ///< divided by the chance of this sample: multiply by BRDF and cosine
+    vec3 irradiance;     ///< of a plane across the direction, lux, over the chance of this sample
     float pdf;           ///< over solid angle, choice of the light included; 0 for lights without extent
     uint triangle;       ///< the light's, or NONE
 };

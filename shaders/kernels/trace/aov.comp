@@ -27,7 +27,7 @@ void main() {
         result.triangle = surface.triangle;
         result.instance = surface.instance;
         result.material = surface.material;
-        result.specular = is_specular(surface) ? 1u : 0u;
+        result.mirror = is_mirror(surface) ? 1u : 0u;
     }
     aov[in_band.y * push.width + in_band.x] = result;
 }

@@ -14,7 +14,7 @@ const uint LOBE_MIRROR = 2u;
 
 bool has_lobe(Surface surface, uint lobe) {
     if (lobe == LOBE_DIFFUSE) return is_diffuse(surface);
-    return lobe == LOBE_GLOSSY ? HAS_GLOSSY && is_glossy(surface) : HAS_SPECULAR && is_specular(surface);
+    return lobe == LOBE_GLOSSY ? HAS_GLOSSY && is_glossy(surface) : HAS_MIRROR && is_mirror(surface);
 }
 
 /// 1/sr, for a direction above the surface.

@@ -48,7 +48,7 @@ std::vector<interop::AovPixel> render_aovs(Device& device, const GpuScene& scene
 Mask reflective_mask(const std::vector<interop::AovPixel>& aovs) {
     Mask mask(aovs.size());
     std::transform(aovs.begin(), aovs.end(), mask.begin(),
-                   [](const interop::AovPixel& pixel) { return static_cast<std::uint8_t>(pixel.specular); });
+                   [](const interop::AovPixel& pixel) { return static_cast<std::uint8_t>(pixel.mirror); });
     return mask;
 }
 

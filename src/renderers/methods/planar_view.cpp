@@ -31,7 +31,7 @@ bool shows_plane_mirror(float state) {
 }
 
 /// Whether it sees the mirror's view, whatever that shows.
-bool shows_image(float state) {
+bool shows_mirrored_view(float state) {
     return state < 0.0f || std::fmod(state, interop::DRAWN_RAY) >= interop::DRAWN_LOOKED_UP + 1.0f;
 }
 
@@ -103,17 +103,17 @@ PredictionDrawer& PlanarView::prediction_drawer() {
 }
 
 template <typename Errors, typename Tell>
-std::vector<Errors> PlanarView::find_errors(const Errors& of_image, const Errors& without_image, Tell tell) {
+std::vector<Errors> PlanarView::find_errors(const Errors& of_view, const Errors& without_view, Tell tell) {
     std::vector<Errors> errors(std::size_t{settings_.width} * settings_.height, {-1.0f, -1.0f, -1.0f, -1.0f});
     if (maps_.has_distances()) {
         errors = tell(prediction_drawer(), camera_info());
     }
     const std::vector<glm::vec4> pixels = picture_pixels(device_, picture());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (shows_image(pixels[i].w)) {
-            errors[i] = of_image;
+        if (shows_mirrored_view(pixels[i].w)) {
+            errors[i] = of_view;
         } else if (shows_plane_mirror(pixels[i].w)) {
-            errors[i] = without_image;
+            errors[i] = without_view;
         } else if (pixels[i].w == interop::DRAWN_PLAIN) {
             errors[i] = {-1.0f, -1.0f, -1.0f, -1.0f};  // what is curved is behind it
         }

@@ -46,7 +46,7 @@ class PlanarView : public ViewDrawer {
     PredictionDrawer& prediction_drawer();
     /// Errors of curved mirrors, as `tell` tells them, and of plane ones.
     template <typename Errors, typename Tell>
-    std::vector<Errors> find_errors(const Errors& of_image, const Errors& without_image, Tell tell);
+    std::vector<Errors> find_errors(const Errors& of_view, const Errors& without_view, Tell tell);
 
     Device& device_;
     const SceneData& data_;

@@ -18,7 +18,7 @@ namespace utsuri {
 /// What glossy lobes reflect beside maps of a kind.
 GlossyMapSettings glossy_map_settings(MapKind kind, const MapSettings& maps);
 
-/// Reflection maps of one kind and all that drawing looks up beside them: light on surfaces, maps of rough
+/// Reflection maps of one kind and all that drawing looks up beside them: light on surfaces, maps of glossy
 /// lobes, and where the kind needs them distances and bounds of radiance.
 class PreparedMaps {
   public:

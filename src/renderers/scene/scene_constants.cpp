@@ -13,7 +13,7 @@ Specialization scene_constants(const SceneData& data) {
             {interop::SPEC_HAS_PUNCTUAL_LIGHTS, needs.punctual_lights > 0 ? 1 : 0},
             {interop::SPEC_ENVIRONMENT_LIGHT, data.environment_light().value_or(interop::NONE)},
             {interop::SPEC_HAS_GLOSSY, needs.glossy ? 1 : 0},
-            {interop::SPEC_HAS_SPECULAR, needs.specular ? 1 : 0},
+            {interop::SPEC_HAS_MIRROR, needs.mirror ? 1 : 0},
             {interop::SPEC_LIGHT_COUNT, static_cast<std::uint32_t>(data.lights.size())}};
 }
 

@@ -22,7 +22,7 @@ TEST(GlossyMapPlan, ASceneWithoutGlossyLobesNeedsNothing) {
 TEST(GlossyMapPlan, OneRoughnessIsOneLevel) {
     Scene scene;
     test::add(scene, test::icosphere(glm::vec3(0.0f), 1.0f, 1), test::mirror());
-    test::add(scene, test::icosphere(glm::vec3(3.0f), 1.0f, 1), test::rough_metal(0.5f));
+    test::add(scene, test::icosphere(glm::vec3(3.0f), 1.0f, 1), test::glossy_metal(0.5f));
     const GlossyMapPlan plan =
         plan_glossy_maps(prepare_scene_data(scene), 256, {{0, glm::dvec3(3.0, 0.0, 0.0)}});
     ASSERT_EQ(plan.infos.size(), 2u);
@@ -37,8 +37,8 @@ TEST(GlossyMapPlan, OneRoughnessIsOneLevel) {
 TEST(GlossyMapPlan, EachCapturePointHasItsLevels) {
     Scene scene;
     test::add(scene, test::icosphere(glm::vec3(0.0f), 1.0f, 1), test::mirror());
-    test::add(scene, test::icosphere(glm::vec3(3.0f), 1.0f, 1), test::rough_metal(0.5f));
-    test::add(scene, test::icosphere(glm::vec3(6.0f), 1.0f, 1), test::rough_metal(0.5f));
+    test::add(scene, test::icosphere(glm::vec3(3.0f), 1.0f, 1), test::glossy_metal(0.5f));
+    test::add(scene, test::icosphere(glm::vec3(6.0f), 1.0f, 1), test::glossy_metal(0.5f));
     const SceneData data = prepare_scene_data(scene);
     EXPECT_EQ(glossy_instances(data), (std::vector<std::uint32_t>{1, 2}));
     const std::vector<Probe> probes = {{0, glm::dvec3(3.0)},
@@ -69,7 +69,7 @@ TEST(GlossyMapPlan, LevelsCoverTheRoughnessOfATexture) {
     texture.height = 1;
     texture.rgba = {0, 0, 255, 255, 0, 255, 255, 255};  // green: roughness 0 and 1
     scene.textures = {texture};
-    Material material = test::rough_metal(0.75f);
+    Material material = test::glossy_metal(0.75f);
     material.metallic_roughness_texture.texture = 0;
     test::add(scene, test::icosphere(glm::vec3(0.0f), 1.0f, 1), material);
     const GlossyMapPlan plan = plan_glossy_maps(prepare_scene_data(scene), 64, {{0, glm::dvec3(0.0)}});

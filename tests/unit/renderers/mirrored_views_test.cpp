@@ -26,7 +26,7 @@ PlaneMirror rectangle(const glm::dvec3& corner, const glm::dvec3& u, const glm::
 }
 
 std::vector<MirroredView> images_of(const std::vector<PlaneMirror>& mirrors, const Camera& eye,
-                                    std::uint32_t reflections, std::uint32_t most = kMostMirrorImages) {
+                                    std::uint32_t reflections, std::uint32_t most = kMostMirroredViews) {
     return plan_mirrored_views(mirrors, eye, kSize, kSize, kNear, reflections, 0, most);
 }
 
@@ -36,7 +36,7 @@ PlaneMirror upright() {
 }
 
 // The image of q in the plane n . x = d is q - 2 (n . q - d) n.
-TEST(MirrorImages, AreSeenFromTheMirroredEye) {
+TEST(MirroredViews, AreSeenFromTheMirroredEye) {
     const PlaneMirror tilted = rectangle({-1, -1, 0.2}, {2, 0, 0.5}, {0, 2, -0.3});
     const Camera eye = test::look_at({0.3, 0.4, 3}, {0, 0, 0}, 1.0);
     const std::vector<MirroredView> images = images_of({tilted}, eye, 1);
@@ -53,7 +53,7 @@ TEST(MirrorImages, AreSeenFromTheMirroredEye) {
     EXPECT_LT(glm::dot(images[1].normal, image.position), images[1].offset);
 }
 
-TEST(MirrorImages, HaveTheWindowOfTheirMirror) {
+TEST(MirroredViews, HaveTheWindowOfTheirMirror) {
     Camera eye;
     eye.position = {0, 0, 4};
     eye.vertical_fov = 2.0 * std::atan(0.51);
@@ -69,7 +69,7 @@ TEST(MirrorImages, HaveTheWindowOfTheirMirror) {
     EXPECT_EQ(images_of({upright()}, eye, 1)[1].window, (PixelRect{24, 24, 52, 52}));
 }
 
-TEST(MirrorImages, OfWhatCannotBeSeenAreLeftOut) {
+TEST(MirroredViews, OfWhatCannotBeSeenAreLeftOut) {
     Camera eye;
     eye.position = {0, 0, 4};
     EXPECT_EQ(images_of({upright()}, eye, 0).size(), 1u);
@@ -85,7 +85,7 @@ TEST(MirrorImages, OfWhatCannotBeSeenAreLeftOut) {
 }
 
 // Of a mirror behind the plane of another nothing is seen in that, whichever way it faces.
-TEST(MirrorImages, ShowOnlyWhatIsInFrontOfTheirMirror) {
+TEST(MirroredViews, ShowOnlyWhatIsInFrontOfTheirMirror) {
     Camera eye;
     eye.position = {0, 0, 4};
     const PlaneMirror behind = rectangle({-1, -1, -2}, {2, 0, 0}, {0, 2, 0});
@@ -109,7 +109,7 @@ TEST(MirrorImages, ShowOnlyWhatIsInFrontOfTheirMirror) {
 }
 
 // Three walls of mirrors show each other 3 * 2^(k - 1) times in k reflections at most; windows leave few.
-TEST(MirrorImages, OfMirrorsThatFaceEachOtherAreBounded) {
+TEST(MirroredViews, OfMirrorsThatFaceEachOtherAreBounded) {
     const std::vector<PlaneMirror> box = {
         rectangle({-2, -2, -2}, {4, 0, 0}, {0, 4, 0}), rectangle({-2, -2, 2}, {4, 0, 0}, {0, 4, 0}),
         rectangle({-2, -2, -2}, {0, 4, 0}, {0, 0, 4}), rectangle({2, -2, -2}, {0, 4, 0}, {0, 0, 4}),

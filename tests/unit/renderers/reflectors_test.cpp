@@ -24,7 +24,7 @@ Scene two_mirrors_in_a_room() {
     Scene scene;
     test::add(scene, test::room(glm::vec3(-3.0f), glm::vec3(3.0f)), test::lambert(glm::vec3(0.5f)));
     test::add(scene, test::icosphere({1, 0, 0}, 0.5f, 1), test::mirror());
-    test::add(scene, test::quad({-1, 0, 0}, {0, 1, 0}, {0, 0, 1}), test::rough_metal(0.5f));
+    test::add(scene, test::quad({-1, 0, 0}, {0, 1, 0}, {0, 0, 1}), test::glossy_metal(0.5f));
     test::add(scene, test::quad({-2, 0, 0}, {0, 1, 0}, {0, 0, 1}), test::mirror());
     return scene;
 }

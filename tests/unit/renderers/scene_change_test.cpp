@@ -249,14 +249,14 @@ TEST_F(ChangedTextures, OfLampsChangeLights) {
 }
 
 TEST_F(ChangedTextures, AreGoneThroughAgainForWhatTheSceneRequires) {
-    scene_.materials[0] = rough_metal(1.0f);
+    scene_.materials[0] = glossy_metal(1.0f);
     scene_.materials[0].metallic_roughness_texture.texture = 0;
     data_ = prepare_scene_data(scene_);
     EXPECT_TRUE(data_.requirements.surfaces[0].glossy);
-    EXPECT_FALSE(data_.requirements.surfaces[0].specular);
+    EXPECT_FALSE(data_.requirements.surfaces[0].mirror);
     scene_.textures[0].rgba[4 * 17 + 1] = 0;  // green, the roughness of a texel
     EXPECT_THAT(change().reason, HasSubstr("it became rough, a mirror"));
-    EXPECT_TRUE(data_.requirements.surfaces[0].specular);
+    EXPECT_TRUE(data_.requirements.surfaces[0].mirror);
     expect_same_buffers(data_, prepare_scene_data(scene_));
 }
 

@@ -33,7 +33,7 @@ TEST(Requirements, OfNothingAreNothing) {
     const Requirements needs = find_requirements(Scene());
     EXPECT_EQ(needs.triangles, 0u);
     EXPECT_EQ(needs.instances, 0u);
-    EXPECT_FALSE(needs.environment || needs.glossy || needs.specular);
+    EXPECT_FALSE(needs.environment || needs.glossy || needs.mirror);
     EXPECT_EQ(needs.max_depth, 0u);
 }
 
@@ -54,7 +54,7 @@ TEST(Requirements, CountWhatInstancesUse) {
     EXPECT_EQ(needs.emissive_triangles, 40u);
     EXPECT_EQ(needs.punctual_lights, 3u);
     EXPECT_TRUE(needs.environment);
-    EXPECT_FALSE(needs.specular) << "a mirror that nobody uses";
+    EXPECT_FALSE(needs.mirror) << "a mirror that nobody uses";
 }
 
 TEST(Requirements, CountTexturesThatMaterialsInUseReferTo) {
@@ -76,17 +76,17 @@ TEST(Requirements, CountTexturesThatMaterialsInUseReferTo) {
 TEST(Requirements, TellMirrorsFromGlossyAndMatteSurfaces) {
     const Scene scene;
     const float limit = interop::SPECULAR_ROUGHNESS;
-    EXPECT_TRUE(may_be_specular(scene, test::mirror()));
+    EXPECT_TRUE(may_be_mirror(scene, test::mirror()));
     EXPECT_FALSE(may_be_glossy(scene, test::mirror()));
-    EXPECT_FALSE(may_be_specular(scene, test::rough_metal(limit)));
-    EXPECT_TRUE(may_be_glossy(scene, test::rough_metal(limit)));
-    EXPECT_TRUE(may_be_specular(scene, test::rough_metal(0.99f * limit)));
-    EXPECT_FALSE(may_be_specular(scene, test::lambert(glm::vec3(0.5f))));
+    EXPECT_FALSE(may_be_mirror(scene, test::glossy_metal(limit)));
+    EXPECT_TRUE(may_be_glossy(scene, test::glossy_metal(limit)));
+    EXPECT_TRUE(may_be_mirror(scene, test::glossy_metal(0.99f * limit)));
+    EXPECT_FALSE(may_be_mirror(scene, test::lambert(glm::vec3(0.5f))));
     EXPECT_FALSE(may_be_glossy(scene, test::lambert(glm::vec3(0.5f))));
     Material varnish = test::lambert(glm::vec3(0.5f));
     varnish.specular = 1.0f;
     varnish.roughness = 0.0f;
-    EXPECT_TRUE(may_be_specular(scene, varnish)) << "a smooth dielectric";
+    EXPECT_TRUE(may_be_mirror(scene, varnish)) << "a smooth dielectric";
 }
 
 TEST(Requirements, ReadRoughnessAndMetalnessFromTextures) {
@@ -96,12 +96,12 @@ TEST(Requirements, ReadRoughnessAndMetalnessFromTextures) {
     Material mixed = test::mirror();
     mixed.roughness = 1.0f;
     mixed.metallic_roughness_texture.texture = 0;
-    EXPECT_TRUE(may_be_specular(scene, mixed)) << "its first texel";
+    EXPECT_TRUE(may_be_mirror(scene, mixed)) << "its first texel";
     EXPECT_TRUE(may_be_glossy(scene, mixed)) << "its second texel";
     Material matte = test::mirror();
     matte.specular = 0.0f;
     matte.metallic_roughness_texture.texture = 1;
-    EXPECT_FALSE(may_be_specular(scene, matte)) << "a metalness of zero everywhere";
+    EXPECT_FALSE(may_be_mirror(scene, matte)) << "a metalness of zero everywhere";
     EXPECT_FALSE(may_be_glossy(scene, matte));
 }
 
@@ -115,7 +115,7 @@ TEST(Requirements, TellTheLeastAndMostOfEachChannel) {
 TEST(Requirements, TakeRangesOfTexturesThatAreKnown) {
     Scene scene;
     scene.textures = {texture({{0, 255, 255, 255}}), texture({{0, 255, 255, 255}}), texture({{1, 2, 3, 4}})};
-    Material metal = test::rough_metal(1.0f);
+    Material metal = test::glossy_metal(1.0f);
     for (const std::int32_t i : {0, 1, 0}) {
         metal.metallic_roughness_texture.texture = i;
         test::add(scene, unit_quad(), metal);
@@ -157,7 +157,7 @@ TEST(Requirements, DoNotBoundCurvedMirrors) {
 
 TEST(Requirements, CountGlossyLobesAsReflections) {
     Scene scene;
-    test::add(scene, unit_quad(), test::rough_metal(0.5f));
+    test::add(scene, unit_quad(), test::glossy_metal(0.5f));
     EXPECT_EQ(find_requirements(scene).max_depth, 1u);
     EXPECT_THAT(find_requirements(scene).reflective_instances, IsEmpty());
     test::add(scene, test::quad({0, 0, 1}, {1, 0, 0}, {0, 1, 0}), test::mirror());
@@ -169,7 +169,7 @@ TEST(Requirements, PassOverReflectorsWithoutTriangles) {
     test::add(scene, Mesh(), test::mirror());
     const Requirements needs = find_requirements(scene);
     EXPECT_THAT(needs.reflective_instances, IsEmpty());
-    EXPECT_FALSE(needs.specular);
+    EXPECT_FALSE(needs.mirror);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ std::unique_ptr<SurfaceLight> keep(Device& device, const SceneData& data, const 
 }  // namespace
 
 LightMethod direct_light() {
-    return {"direct", "with shadows, mirrors and rough lobes followed", keep, "trace_direct",
+    return {"direct", "with shadows, mirrors and glossy lobes followed", keep, "trace_direct",
             kernels::trace_direct};
 }
 

@@ -49,14 +49,14 @@ GlossyMaps::GlossyMaps(Device& device, const SceneData& data, const GlossyMapSet
     : device_(&device),
       settings_(settings),
       plan_(placed(device, data, settings, proxy_planes)),
-      infos_(make_buffer<interop::GlossyMapInfo>(device, plan_.infos, "rough maps")),
-      probes_(make_buffer<interop::GlossyProbe>(device, plan_.probes, "probes of rough maps")),
-      levels_(make_buffer<interop::GlossyLevel>(device, plan_.levels, "levels of rough maps")),
-      texels_(device, std::max<std::uint64_t>(1, plan_.texels) * sizeof(glm::vec3), "texels of rough maps"),
+      infos_(make_buffer<interop::GlossyMapInfo>(device, plan_.infos, "glossy maps")),
+      probes_(make_buffer<interop::GlossyProbe>(device, plan_.probes, "probes of glossy maps")),
+      levels_(make_buffer<interop::GlossyLevel>(device, plan_.levels, "levels of glossy maps")),
+      texels_(device, std::max<std::uint64_t>(1, plan_.texels) * sizeof(glm::vec3), "texels of glossy maps"),
       inverse_distances_(
           device,
           (keeps_distances(settings.kind) ? std::max<std::uint64_t>(1, plan_.texels) : 1) * sizeof(float),
-          "inverse distances of rough maps") {}
+          "inverse distances of glossy maps") {}
 
 FrameCounts GlossyMaps::capture(const GpuScene& scene, const SurfaceLight& light,
                                 const RenderSettings& settings, double& seconds_to_compile,

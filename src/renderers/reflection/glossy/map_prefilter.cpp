@@ -70,9 +70,9 @@ MapPrefilter::MapPrefilter(Device& device, const GpuScene& scene, const SurfaceL
               sizeof(interop::HalveMapPush)),
       convolver_(device, "prefilter_map", kernels::prefilter_map, convolve_constants(maps),
                  sizeof(interop::PrefilterMapPush)),
-      source_(device, source_texels(largest_source) * sizeof(glm::vec3), "source of rough maps"),
+      source_(device, source_texels(largest_source) * sizeof(glm::vec3), "source of glossy maps"),
       inverse_distances_(device, (maps.keeps_distances ? source_texels(largest_source) : 1) * sizeof(float),
-                         "inverse distances of the source of rough maps"),
+                         "inverse distances of the source of glossy maps"),
       halve_set_(halver_.bind({{interop::BINDING_MAP_TEXELS, &source_},
                                {interop::BINDING_MAP_INVERSE_DISTANCES, &inverse_distances_}})),
       convolve_set_(convolver_.bind({{interop::BINDING_MAP_TEXELS, &source_},
@@ -96,7 +96,7 @@ void MapPrefilter::warm_up() {
 FrameCounts MapPrefilter::capture(const glm::vec3& point, std::uint32_t size, FrameSettings frame,
                                   std::uint32_t samples) {
     FrameCounts counts;
-    Film film(device_, size, size, "rough map film");
+    Film film(device_, size, size, "glossy map film");
     Progress silent;
     const std::uint32_t seed = frame.seed;
     for (std::uint32_t face = 0; face < kFaces; ++face) {

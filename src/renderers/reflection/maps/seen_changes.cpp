@@ -63,7 +63,7 @@ SeenChanges::SeenChanges(const SceneData& data, const SceneChange& change, std::
     : data_(data), change_(change), lit_(std::move(lit)) {
     for (std::uint32_t t = 0; t < data.triangle_infos.size(); ++t) {
         const SurfaceFeatures& surface = data.requirements.surfaces[data.triangle_infos[t].material];
-        if (surface.glossy || surface.specular) reflecting_.push_back(t);
+        if (surface.glossy || surface.mirror) reflecting_.push_back(t);
     }
 }
 

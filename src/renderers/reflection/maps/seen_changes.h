@@ -54,7 +54,7 @@ class SeenChanges {
     const SceneData& data_;
     const SceneChange& change_;
     std::vector<std::uint32_t> lit_;
-    std::vector<std::uint32_t> reflecting_;  ///< triangles with a specular or glossy lobe
+    std::vector<std::uint32_t> reflecting_;  ///< triangles with a mirror or glossy lobe
 };
 
 }  // namespace utsuri

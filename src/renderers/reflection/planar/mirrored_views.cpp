@@ -119,7 +119,7 @@ class Planner {
 std::vector<MirroredView> plan_mirrored_views(const std::vector<PlaneMirror>& mirrors, const Camera& eye,
                                               std::uint32_t width, std::uint32_t height, double near_plane,
                                               std::uint32_t most_reflections, std::uint64_t least_window,
-                                              std::uint32_t most_images) {
+                                              std::uint32_t most_views) {
     const Planner planner(mirrors, width, height, near_plane);
     MirroredView direct;
     direct.eye = eye;
@@ -129,7 +129,7 @@ std::vector<MirroredView> plan_mirrored_views(const std::vector<PlaneMirror>& mi
         const std::vector<std::uint32_t> unseen = planner.unseen_in(views[parent]);
         views[parent].unseen = unseen;
         if (views[parent].reflections == most_reflections) continue;
-        for (std::uint32_t mirror = 0; mirror < mirrors.size() && views.size() < most_images; ++mirror) {
+        for (std::uint32_t mirror = 0; mirror < mirrors.size() && views.size() < most_views; ++mirror) {
             if (std::binary_search(unseen.begin(), unseen.end(), mirror)) continue;
             auto view = planner.mirrored(views[parent], mirror);
             if (view && std::uint64_t{view->window.width} * view->window.height >= least_window) {

@@ -33,18 +33,18 @@ struct MirroredView {
     std::vector<std::uint32_t> unseen;
 };
 
-/// Mirror views of a frame, at most: facing mirrors show each other without end.
-inline constexpr std::uint32_t kMostMirrorImages = 256;
+/// Mirrored views of a frame, at most: facing mirrors show each other without end.
+inline constexpr std::uint32_t kMostMirroredViews = 256;
 
 /// The views that may be seen, in the order of reflections: the eye's own view first.
 /// @param eye scene space
 /// @param near_plane nothing nearer is seen, > 0
 /// @param most_reflections deeper views are left out
 /// @param least_window likewise those that show in fewer pixels
-/// @param most_images likewise, those of the most reflections first; > 0
+/// @param most_views likewise, those of the most reflections first; > 0
 std::vector<MirroredView> plan_mirrored_views(const std::vector<PlaneMirror>& mirrors, const Camera& eye,
                                               std::uint32_t width, std::uint32_t height, double near_plane,
                                               std::uint32_t most_reflections, std::uint64_t least_window = 0,
-                                              std::uint32_t most_images = kMostMirrorImages);
+                                              std::uint32_t most_views = kMostMirroredViews);
 
 }  // namespace utsuri

@@ -24,8 +24,8 @@ PlanarDrawer::PlanarDrawer(Device& device, const SceneData& data, const PlaneMir
       colour_(device, width, height, kColourFormat, "drawn picture"),
       throughput_(device, width, height, kColourFormat, "throughput of the drawn picture"),
       depth_(device, width, height, kDepthFormat, "depth of the drawn picture"),
-      drawn_before_(device, picture_bytes(width, height), "picture before an image"),
-      throughput_before_(device, picture_bytes(width, height), "throughput before an image"),
+      drawn_before_(device, picture_bytes(width, height), "picture before a view"),
+      throughput_before_(device, picture_bytes(width, height), "throughput before a view"),
       drawer_(device, data, mirrors, curved, kind, faces, specialization, with_pictures(bindings)) {}
 
 Bindings PlanarDrawer::with_pictures(Bindings bindings) const {

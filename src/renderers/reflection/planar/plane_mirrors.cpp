@@ -113,7 +113,7 @@ PlaneMirrors find_plane_mirrors(const SceneData& scene) {
     PlaneMirrors found;
     std::vector<Seed> seeds;
     for (std::uint32_t t = 0; t < scene.triangle_infos.size(); ++t) {
-        if (!scene.requirements.surfaces[scene.triangle_infos[t].material].specular) continue;
+        if (!scene.requirements.surfaces[scene.triangle_infos[t].material].mirror) continue;
         found.others.push_back(t);
         seeds.push_back({t, glm::length(doubled_area(corners_of(scene, t)))});
     }

@@ -9,7 +9,7 @@ DrawList plan_draws(const SceneData& scene) {
     std::map<SurfaceFeatures, std::vector<std::uint32_t>> groups;
     for (std::uint32_t t = 0; t < scene.triangle_infos.size(); ++t) {
         const SurfaceFeatures& features = scene.requirements.surfaces[scene.triangle_infos[t].material];
-        if (!features.specular) groups[features].push_back(t);
+        if (!features.mirror) groups[features].push_back(t);
     }
     DrawList list;
     for (const auto& [features, triangles] : groups) {
