@@ -10,6 +10,7 @@
 #include "kernels/raster/drawn_surface.glsl"
 #include "kernels/raster/view.glsl"
 #include "kernels/scene/direct_light.glsl"
+#include "lib/reservoir.glsl"
 
 layout(early_fragment_tests) in;
 
@@ -49,10 +50,8 @@ vec3 drawn_diffuse_light(Surface surface) {
 /// some are in shadow and others not.
 vec3 punctual_highlights(Surface surface, vec3 wo) {
     uint key = sampler_key(uvec2(gl_FragCoord.xy), frame.seed, frame.sample_index & 1u);
-    float remaining = sample_2d(key, frame.sample_index >> 1, 1u).x;
+    Reservoir reservoir = empty_reservoir(sample_2d(key, frame.sample_index >> 1, 1u).x);
     Candidate taken;
-    float taken_weight = 0.0;
-    float sum = 0.0;
     // They come before lights with extent.
     for (uint i = 0u; i < LIGHT_COUNT && lights[i].type != LIGHT_TRIANGLE; ++i) {
         if (HAS_ENVIRONMENT && i == ENVIRONMENT_LIGHT) continue;
@@ -61,20 +60,10 @@ vec3 punctual_highlights(Surface surface, vec3 wo) {
         if (!is_above(surface, s.direction)) continue;
         vec3 value =
             glossy_value(surface, wo, s.direction) * s.irradiance * (probability * dot(surface.ns, s.direction));
-        float weight = value.x + value.y + value.z;
-        if (!(weight > 0.0)) continue;
-        sum += weight;
-        float share = weight / sum;
-        if (remaining < share) {
-            taken = Candidate(s, value);
-            taken_weight = weight;
-            remaining /= share;
-        } else {
-            remaining = (remaining - share) / (1.0 - share);
-        }
+        if (takes(reservoir, value.x + value.y + value.z)) taken = Candidate(s, value);
     }
-    if (taken_weight == 0.0 || !is_light_visible(surface, taken.light, NONE)) return vec3(0.0);
-    return taken.value * (sum / taken_weight);
+    if (reservoir.taken == 0.0 || !is_light_visible(surface, taken.light, NONE)) return vec3(0.0);
+    return taken.value * (reservoir.sum / reservoir.taken);
 }
 
 vec3 drawn_glossy_light(Surface surface, vec3 wo) {

@@ -6,6 +6,7 @@
 
 #include "kernels/scene/lights.glsl"
 #include "lib/lobes/lobes.glsl"
+#include "lib/reservoir.glsl"
 #include "lib/sampler.glsl"
 
 /// Pairs of sample dimensions that one surface uses.
@@ -49,27 +50,14 @@ Candidate make_candidate(Surface surface, vec3 wo, uint lobes, float choice, vec
 Candidate resample_lights(Surface surface, vec3 wo, uint lobes, vec2 choice, vec2 u) {
     uint count = min(LIGHT_COUNT, MOST_CANDIDATES);
     Candidate taken = Candidate(LightSample(vec3(0.0), vec3(0.0), false, vec3(0.0), 0.0, NONE), vec3(0.0));
-    float taken_weight = 0.0;
-    float sum = 0.0;
-    float remaining = choice.y;
+    Reservoir reservoir = empty_reservoir(choice.y);
     for (uint i = 0u; i < count; ++i) {
         // Shifted by a sequence that fills the square evenly (Roberts 2018); each candidate's u stays uniform.
         vec2 shifted = fract(u + float(i) * vec2(0.754877666, 0.569840291));
         Candidate candidate = make_candidate(surface, wo, lobes, (float(i) + choice.x) / float(count), shifted);
-        float weight = candidate.value.x + candidate.value.y + candidate.value.z;
-        if (!(weight > 0.0)) continue;
-        sum += weight;
-        float probability = weight / sum;
-        if (remaining < probability) {
-            taken = candidate;
-            taken_weight = weight;
-            remaining /= probability;
-        } else {
-            remaining = (remaining - probability) / (1.0 - probability);
-        }
+        if (takes(reservoir, candidate.value.x + candidate.value.y + candidate.value.z)) taken = candidate;
     }
-    if (taken_weight == 0.0) return taken;
-    taken.value *= sum / (taken_weight * float(count));
+    if (reservoir.taken > 0.0) taken.value *= reservoir.sum / (reservoir.taken * float(count));
     return taken;
 }
 
