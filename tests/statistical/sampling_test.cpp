@@ -138,6 +138,20 @@ TEST_F(Sampling, GlossyDirectionsFollowTheVisibleNormals) {
     }
 }
 
+/// Directions above a surface, and the densities that they come with: cosine over pi.
+void expect_cosine_density(const std::vector<interop::ProbeOutput>& outputs, const Basis& basis) {
+    std::vector<double> observed(kRings * kSectors, 0.0);
+    const std::vector<double> expected(kRings * kSectors,
+                                       static_cast<double>(kSamples) / (kRings * kSectors));
+    for (const interop::ProbeOutput& output : outputs) {
+        const glm::dvec3 w = basis.local(glm::dvec3(output.direction));
+        observed[bin_of(1.0 - w.z * w.z, kRings) * kSectors + bin_of(turn_of(w.y, w.x), kSectors)] += 1.0;
+        // Near the horizon the cosine, of some 2^-23 absolute error, has few digits.
+        ASSERT_NEAR(static_cast<double>(output.pdf), w.z / kPi, kPdfError * w.z / kPi + 0x1p-22);
+    }
+    EXPECT_GE(chi_square_p_value(observed, expected), kRejection);
+}
+
 TEST_F(Sampling, EnvironmentDirectionsFollowTheCosine) {
     Scene scene;
     scene.environment = glm::vec3(1.0f);
@@ -152,16 +166,7 @@ TEST_F(Sampling, EnvironmentDirectionsFollowTheCosine) {
         push.wo = push.normal;
         const auto outputs =
             probe(device(), data, interop::PROBE_LIGHT, push, random_pairs(kSamples, seed++));
-        std::vector<double> observed(kRings * kSectors, 0.0);
-        const std::vector<double> expected(kRings * kSectors,
-                                           static_cast<double>(kSamples) / (kRings * kSectors));
-        for (const interop::ProbeOutput& output : outputs) {
-            const glm::dvec3 w = basis.local(glm::dvec3(output.direction));
-            observed[bin_of(1.0 - w.z * w.z, kRings) * kSectors + bin_of(turn_of(w.y, w.x), kSectors)] += 1.0;
-            // Near the horizon the cosine, of some 2^-23 absolute error, has few digits.
-            ASSERT_NEAR(static_cast<double>(output.pdf), w.z / kPi, kPdfError * w.z / kPi + 0x1p-22);
-        }
-        EXPECT_GE(chi_square_p_value(observed, expected), kRejection);
+        expect_cosine_density(outputs, basis);
     }
 }
 
@@ -181,16 +186,7 @@ TEST_F(Sampling, DiffuseDirectionsFollowTheCosine) {
     push.alpha = 0.3f;
     push.lobe = kDiffuseLobe;
     const auto outputs = probe(device(), data, interop::PROBE_LOBE, push, random_pairs(kSamples, 300));
-    std::vector<double> observed(kRings * kSectors, 0.0);
-    const std::vector<double> expected(kRings * kSectors,
-                                       static_cast<double>(kSamples) / (kRings * kSectors));
-    for (const interop::ProbeOutput& output : outputs) {
-        const glm::dvec3 w = basis.local(glm::dvec3(output.direction));
-        observed[bin_of(1.0 - w.z * w.z, kRings) * kSectors + bin_of(turn_of(w.y, w.x), kSectors)] += 1.0;
-        // Near the horizon the cosine, of some 2^-23 absolute error, has few digits.
-        ASSERT_NEAR(static_cast<double>(output.pdf), w.z / kPi, kPdfError * w.z / kPi + 0x1p-22);
-    }
-    EXPECT_GE(chi_square_p_value(observed, expected), kRejection);
+    expect_cosine_density(outputs, basis);
 }
 
 // A sample's throughput is value times cosine over density, whatever cancels on the way. D(h) is taken from h
