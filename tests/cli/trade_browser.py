@@ -147,7 +147,7 @@ def main():
     source = options.page.read_text(encoding="utf-8")
     data = json.loads(source.split(DATA_BEGIN, 1)[1].split("</script>", 1)[0])
     checks = Checks()
-    dom, log = browse(browser, options.page.resolve(strict=True).as_uri(), "--dump-dom")
+    dom, log = browse(browser, options.page.resolve(strict=True).as_uri())
     checks.equal("messages on the console", [line for line in log.splitlines() if "CONSOLE" in line], [])
     check_chart(dom, data, checks)
     page = Page(dom)
@@ -155,7 +155,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="utsuri_trade_") as folder:
         copy = pathlib.Path(folder) / "trade.html"
         copy.write_text(source.replace("</body>", ACTIONS + "</body>"), encoding="utf-8")
-        dom, _ = browse(browser, copy.as_uri(), "--dump-dom")
+        dom, _ = browse(browser, copy.as_uri(), "data-results")
     html = next(attributes for tag, attributes, _ in Page(dom).elements if tag == "html")
     check_actions(json.loads(html.get("data-results", "{}")), data, checks)
     return 1 if checks.failed else 0
