@@ -9,6 +9,7 @@
 #include "interop/raster.h"
 #include "interop/rays.h"
 #include "interop/specialization.h"
+#include "interop/workgroup.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
