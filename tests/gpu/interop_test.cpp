@@ -99,7 +99,7 @@ std::map<std::string, HostStruct> host_structs() {
          {sizeof(AovPixel),
           {AT(AovPixel, depth), AT(AovPixel, position), AT(AovPixel, geometric_normal),
            AT(AovPixel, shading_normal), AT(AovPixel, albedo), AT(AovPixel, texcoord), AT(AovPixel, triangle),
-           AT(AovPixel, instance), AT(AovPixel, material), AT(AovPixel, specular)}}},
+           AT(AovPixel, instance), AT(AovPixel, material), AT(AovPixel, mirror)}}},
         {"LightCacheTriangle",
          {sizeof(LightCacheTriangle),
           {AT(LightCacheTriangle, first_point), AT(LightCacheTriangle, intervals),
