@@ -8,6 +8,7 @@
 #include "interop/frame.h"
 #include "interop/glossy_map.h"
 #include "interop/light_cache.h"
+#include "interop/lobe_albedo.h"
 #include "interop/radiance_bounds.h"
 #include "interop/raster.h"
 #include "interop/rays.h"
