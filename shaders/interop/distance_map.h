@@ -39,14 +39,20 @@ struct DistanceMapInfo {
     float plane_distance;  ///< points of the plane: dot(plane_normal, point) = plane_distance
 };
 
-struct MeasureDistancesPush {
+/// What is measured about a capture point.
+struct MeasuredView {
     vec3 capture_point;
-    vec3 plane_normal;
+    uint excluded_instance;  ///< the reflector
+    vec3 plane_normal;       ///< as in DistanceMapInfo
     float plane_distance;
-    uint excluded_instance;
-    uint first_sample;  ///< of the face
+};
+
+/// Push constants of what measures distances or radiance.
+struct MeasureFacePush {
+    MeasuredView view;
     uint face;
-    uint begin;  ///< samples of this dispatch: [begin, end) of the face
+    uint first_sample;  ///< of the face, where they are stored
+    uint begin;         ///< samples of this dispatch: [begin, end) of the face
     uint end;
 };
 

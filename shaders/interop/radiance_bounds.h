@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Radiance that arrives at the capture point of each reflector, bounded over the blocks that its distances
-// are bounded over: see interop/distance_map.h, whose numbers of bounds and BoundDistancesPush these share.
+// are bounded over: see interop/distance_map.h, whose numbers of bounds and push constants these share.
 #ifndef UTSURI_INTEROP_RADIANCE_BOUNDS_H
 #define UTSURI_INTEROP_RADIANCE_BOUNDS_H
 #include "interop/prelude.h"
@@ -11,14 +11,6 @@ INTEROP_BEGIN
 struct RadianceSample {
     vec3 centre;  ///< through the centre of the texel
     vec3 corner;  ///< through its corner of least coordinates
-};
-
-struct MeasureRadiancePush {
-    vec3 capture_point;
-    uint excluded_instance;
-    uint face;
-    uint begin;  ///< samples of this dispatch: [begin, end) of the face
-    uint end;
 };
 
 INTEROP_END

@@ -43,7 +43,7 @@ float bend_at(uint first, uvec2 at) {
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= DISTANCE_SIZE * DISTANCE_SIZE) return;
+    if (index >= push.size * push.size) return;
     // Where the sample of a neighbour is, counted from the border's corner.
     uvec2 first = uvec2(index % DISTANCE_SIZE, index / DISTANCE_SIZE);
     DistanceBounds bounds = DistanceBounds(INFINITY, 0.0);

@@ -21,7 +21,7 @@ layout(scalar, set = METHOD_SET, binding = BINDING_BRIGHTEST) writeonly restrict
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= DISTANCE_SIZE * DISTANCE_SIZE) return;
+    if (index >= push.size * push.size) return;
     // Where the sample of a neighbour is, counted from the border's corner.
     uvec2 first = uvec2(index % DISTANCE_SIZE, index / DISTANCE_SIZE);
     vec3 least = vec3(INFINITY);

@@ -32,11 +32,11 @@ std::optional<DistanceMaps> make_distances(Device& device, const SceneData& data
         bounds_radiance(kind, settings) ? Tolerance::Of::radiance : Tolerance::Of::place);
 }
 
-std::optional<RadianceBounds> make_radiance_bounds(Device& device, const ReflectionMaps& maps, MapKind kind,
+std::optional<RadianceBounds> make_radiance_bounds(Device& device,
+                                                   const std::optional<DistanceMaps>& distances, MapKind kind,
                                                    const MapSettings& settings) {
-    if (maps.infos().empty() || !bounds_radiance(kind, settings)) return std::nullopt;
-    return std::make_optional<RadianceBounds>(device, maps.instances(), maps.infos(),
-                                              distance_size(device, maps));
+    if (!distances || !bounds_radiance(kind, settings)) return std::nullopt;
+    return std::make_optional<RadianceBounds>(device, distances->faces());
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene
       maps_(device, data, kind, map_settings, {eye, settings.width, settings.height}, proxy_planes_,
             instances),
       distances_(make_distances(device, data, maps_, kind, map_settings)),
-      radiance_bounds_(make_radiance_bounds(device, maps_, kind, map_settings)),
+      radiance_bounds_(make_radiance_bounds(device, distances_, kind, map_settings)),
       glossy_maps_(device, data, glossy_map_settings(kind, map_settings), proxy_planes_),
       proxy_plane_buffer_(make_buffer<interop::ProxyPlane>(device, proxy_planes_, "planes of proxies")),
       frame_(device, sizeof(interop::FrameInfo), "frame"),

@@ -2,8 +2,6 @@
 #include "renderers/reflection/distances/distance_maps.h"
 
 #include "renderers/reflection/distances/face_kernels.h"
-#include "renderers/reflection/distances/measured_faces.h"
-#include "renderers/reflection/reflectors/reflector_plane.h"
 #include "renderers/reflection/reflectors/self_horizon.h"
 #include "renderers/scene/scene_triangles.h"
 
@@ -27,29 +25,24 @@
 namespace utsuri {
 namespace {
 
-std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const SceneData& data,
-                                                 const std::vector<std::uint32_t>& instances,
-                                                 const std::vector<interop::ProbeInfo>& infos,
-                                                 std::uint32_t size) {
-    const std::uint64_t samples =
-        std::uint64_t{infos.size()} * interop::DISTANCE_FACES * samples_per_face(size);
+std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const MeasuredFaces& faces) {
+    const std::size_t probes = faces.views().size();
+    const std::uint32_t size = faces.size();
+    const std::uint64_t samples = std::uint64_t{probes} * interop::DISTANCE_FACES * samples_per_face(size);
     const std::uint64_t limit = device.summary().storage_range_bytes;
     if (samples * sizeof(interop::DistanceSample) > limit) {
         throw UsageError(
-            "measure distances", fmt::format("at {} texels from {} capture points", size, infos.size()),
+            "measure distances", fmt::format("at {} texels from {} capture points", size, probes),
             fmt::format("they need {} MiB and {} can see {} MiB of a buffer; use fewer --probes",
                         samples * sizeof(interop::DistanceSample) >> 20, device.summary().name, limit >> 20));
     }
     std::vector<interop::DistanceMapInfo> maps;
-    for (std::uint32_t i = 0; i < infos.size(); ++i) {
-        interop::DistanceMapInfo map{};
-        map.first_sample = i * interop::DISTANCE_FACES * samples_per_face(size);
-        map.first_bounds = i * interop::DISTANCE_FACES * bounds_per_face(size);
-        if (const std::optional<MirrorPlane> plane = plane_of(data, instances[i])) {
-            map.plane_normal = glm::vec3(plane->normal);
-            map.plane_distance = static_cast<float>(plane->distance);
-        }
-        maps.push_back(map);
+    maps.reserve(probes);
+    for (std::uint32_t i = 0; i < probes; ++i) {
+        const interop::MeasuredView& view = faces.views()[i];
+        maps.push_back({i * interop::DISTANCE_FACES * samples_per_face(size),
+                        i * interop::DISTANCE_FACES * bounds_per_face(size), view.plane_normal,
+                        view.plane_distance});
     }
     return maps;
 }
@@ -91,56 +84,47 @@ std::uint64_t DistanceMaps::bytes(std::uint32_t size) {
                                       bounds_per_face(size) * sizeof(interop::DistanceBounds));
 }
 
-DistanceMaps::DistanceMaps(Device& device, const SceneData& data, std::vector<std::uint32_t> instances,
+DistanceMaps::DistanceMaps(Device& device, const SceneData& data, const std::vector<std::uint32_t>& instances,
                            const std::vector<interop::ProbeInfo>& infos, std::uint32_t size,
                            Tolerance::Of tolerance)
     : device_(&device),
       data_(&data),
-      instances_(std::move(instances)),
-      probes_(infos),
-      size_(size),
+      faces_(data, instances, infos, size),
       tolerance_(tolerance),
-      infos_(place_maps(device, data, instances_, infos, size)),
+      infos_(place_maps(device, faces_)),
       info_buffer_(make_buffer<interop::DistanceMapInfo>(device, infos_, "distance maps")),
       horizons_(data.triangle_infos.size()),
       horizon_buffer_(make_buffer<float>(device, horizons_, "horizons of reflectors")),
       samples_(device, kept_bytes<interop::DistanceSample>(infos.size(), samples_per_face(size)),
                "distances"),
       bounds_(device, kept_bytes<interop::DistanceBounds>(infos.size(), bounds_per_face(size)),
-              "bounds of distances"),
-      captured_(infos_.size() * interop::DISTANCE_FACES) {}
+              "bounds of distances") {}
 
 void DistanceMaps::reuse_from(DistanceMaps& previous) {
     horizons_ = std::move(previous.horizons_);
     with_horizons_ = std::move(previous.with_horizons_);
     if (!horizons_.empty()) horizon_buffer_.upload(std::as_bytes(std::span(horizons_)));
-    if (previous.size_ != size_ || previous.infos_.size() != infos_.size() ||
-        previous.tolerance_ != tolerance_)
-        return;
+    if (!faces_.are_stored_as(previous.faces_) || previous.tolerance_ != tolerance_) return;
     samples_ = std::move(previous.samples_);
     bounds_ = std::move(previous.bounds_);
-    for (std::size_t face = 0; face < captured_.size(); ++face) {
-        const std::size_t probe = face / interop::DISTANCE_FACES;
-        captured_[face] = previous.captured_[face] && previous.instances_[probe] == instances_[probe] &&
-                          previous.probes_[probe].capture_point == probes_[probe].capture_point &&
-                          same_bits(previous.infos_[probe], infos_[probe]);
-    }
+    faces_.reuse_from(previous.faces_);
 }
 
 void DistanceMaps::forget(const SeenChanges& changes) {
     if (changes.empty()) return;
     std::erase_if(with_horizons_, [&](std::uint32_t instance) { return changes.has_moved(instance); });
-    forget_faces(captured_, probes_, size_, [&](const ViewPyramid& view, std::size_t probe) {
-        return changes.surfaces_may_change_in(view, instances_[probe]);
+    faces_.forget([&](const ViewPyramid& view, std::uint32_t without) {
+        return changes.surfaces_may_change_in(view, without);
     });
 }
 
 void DistanceMaps::find_horizons() {
     bool found = false;
-    for (std::size_t i = 0; i < instances_.size(); ++i) {
-        if (!with_horizons_.insert(instances_[i]).second || infos_[i].plane_normal != glm::vec3(0.0f))
+    for (const interop::MeasuredView& view : faces_.views()) {
+        // Nothing of a plane rises above it; an instance that a change bends is no plane, and has none yet.
+        if (view.plane_normal != glm::vec3(0.0f) || !with_horizons_.insert(view.excluded_instance).second)
             continue;
-        const std::vector<std::uint32_t> triangles = triangles_of(*data_, instances_[i]);
+        const std::vector<std::uint32_t> triangles = triangles_of(*data_, view.excluded_instance);
         const std::vector<float> horizons = horizons_of(*data_, triangles);
         for (std::size_t t = 0; t < triangles.size(); ++t)
             horizons_[triangles[t]] = horizons[t];
@@ -152,41 +136,24 @@ void DistanceMaps::find_horizons() {
 FrameCounts DistanceMaps::capture(const GpuScene& scene, double& seconds_to_compile, Progress& progress) {
     find_horizons();
     FrameCounts counts;
-    if (std::find(captured_.begin(), captured_.end(), false) == captured_.end()) return counts;
+    if (faces_.are_complete()) return counts;
     const Stopwatch stopwatch;
     Specialization specialization = scene.specialization();
     specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
-    specialization[interop::SPEC_DISTANCE_SIZE] = size_;
+    specialization[interop::SPEC_DISTANCE_SIZE] = size();
     specialization[interop::SPEC_MARKS_GLOSSY] = tolerance_ == Tolerance::Of::radiance ? 1 : 0;
     Bindings bindings = scene.bindings();
     bindings.merge(this->bindings());
-    FaceKernels<interop::MeasureDistancesPush> face_kernels(
-        *device_, {"measure_distances", kernels::measure_distances},
-        {"bound_distances", kernels::bound_distances}, {"reduce_bounds", kernels::reduce_bounds},
-        specialization, bindings);
+    FaceKernels face_kernels(*device_, {"measure_distances", kernels::measure_distances},
+                             {"bound_distances", kernels::bound_distances},
+                             {"reduce_bounds", kernels::reduce_bounds}, specialization, bindings);
     seconds_to_compile += stopwatch.seconds();
-
-    const std::uint32_t per_face = samples_per_face(size_);
-    const auto faces = static_cast<std::uint32_t>(infos_.size()) * interop::DISTANCE_FACES;
-    for (std::uint32_t i = 0; i < faces; ++i) {
-        if (progress.cancelled()) throw Interrupted();
-        if (captured_[i]) continue;
-        const std::uint32_t probe = i / interop::DISTANCE_FACES;
-        const std::uint32_t face = i % interop::DISTANCE_FACES;
-        const interop::DistanceMapInfo& map = infos_[probe];
-        interop::MeasureDistancesPush push{};
-        push.capture_point = probes_[probe].capture_point;
-        push.plane_normal = map.plane_normal;
-        push.plane_distance = map.plane_distance;
-        push.excluded_instance = instances_[probe];
-        push.first_sample = map.first_sample + face * per_face;
-        push.face = face;
-        const std::uint32_t first_bounds = map.first_bounds + face * bounds_per_face(size_);
-        counts.gpu_seconds += face_kernels.run("distances", push, size_, push.first_sample, first_bounds);
-        counts.rays += std::uint64_t{2} * per_face;
-        captured_[i] = true;
-        progress.update(i + 1, faces);
-    }
+    faces_.measure_missing(progress, [&](interop::MeasureFacePush push, std::uint32_t probe) {
+        push.first_sample = infos_[probe].first_sample + push.face * samples_per_face(size());
+        const std::uint32_t first_bounds = infos_[probe].first_bounds + push.face * bounds_per_face(size());
+        counts.gpu_seconds += face_kernels.run("distances", push, size(), first_bounds);
+        counts.rays += std::uint64_t{2} * samples_per_face(size());
+    });
     return counts;
 }
 
@@ -198,7 +165,7 @@ Bindings DistanceMaps::bindings() const {
 }
 
 std::vector<interop::DistanceSample> DistanceMaps::samples(std::uint32_t probe, std::uint32_t face) const {
-    std::vector<interop::DistanceSample> result(samples_per_face(size_));
+    std::vector<interop::DistanceSample> result(samples_per_face(size()));
     const std::uint64_t first = infos_[probe].first_sample + std::uint64_t{face} * result.size();
     samples_.download(std::as_writable_bytes(std::span(result)), first * sizeof(interop::DistanceSample));
     return result;
@@ -206,10 +173,10 @@ std::vector<interop::DistanceSample> DistanceMaps::samples(std::uint32_t probe, 
 
 std::vector<interop::DistanceBounds> DistanceMaps::bounds(std::uint32_t probe, std::uint32_t face,
                                                           std::uint32_t level) const {
-    const std::uint32_t edge = size_ >> level;
-    std::vector<interop::DistanceBounds> result(std::size_t{edge} * edge);
-    const std::uint64_t first = infos_[probe].first_bounds + std::uint64_t{face} * bounds_per_face(size_) +
-                                first_of_level(size_, level);
+    const std::uint32_t edge = size() >> level;
+    std::vector<interop::DistanceBounds> result(std::size() t{edge} * edge);
+    const std::uint64_t first = infos_[probe].first_bounds + std::uint64_t{face} * bounds_per_face(size()) +
+                                first_of_level(size(), level);
     bounds_.download(std::as_writable_bytes(std::span(result)), first * sizeof(interop::DistanceBounds));
     return result;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderers/film/frame_counts.h"
-#include "renderers/reflection/maps/seen_changes.h"
+#include "renderers/reflection/distances/measured_faces.h"
 #include "renderers/reflection/reflectors/tolerance.h"
 #include "renderers/scene/gpu_scene.h"
 
@@ -24,10 +24,10 @@ class DistanceMaps {
     /// @param size texels along an edge of a face, a power of two
     /// @param tolerance whose errors the distances are to tell: of radiance, only what looks the same from
     /// everywhere tells any
-    /// @throws UsageError if they cannot fit into one buffer of the device
     /// @param data must outlive this
     /// @param instances that each of the probes belongs to
-    DistanceMaps(Device& device, const SceneData& data, std::vector<std::uint32_t> instances,
+    /// @throws UsageError if they cannot fit into one buffer of the device
+    DistanceMaps(Device& device, const SceneData& data, const std::vector<std::uint32_t>& instances,
                  const std::vector<interop::ProbeInfo>& infos, std::uint32_t size,
                  Tolerance::Of tolerance = Tolerance::Of::place);
 
@@ -42,7 +42,8 @@ class DistanceMaps {
     FrameCounts capture(const GpuScene& scene, double& seconds_to_compile, Progress& progress);
 
     [[nodiscard]] Bindings bindings() const;
-    [[nodiscard]] std::uint32_t size() const { return size_; }
+    [[nodiscard]] std::uint32_t size() const { return faces_.size(); }
+    [[nodiscard]] const MeasuredFaces& faces() const { return faces_; }
     [[nodiscard]] const std::vector<interop::DistanceMapInfo>& infos() const { return infos_; }
 
     /// Samples of a face, border included, and bounds of a level, for tests.
@@ -64,9 +65,7 @@ class DistanceMaps {
 
     Device* device_;
     const SceneData* data_;
-    std::vector<std::uint32_t> instances_;
-    std::vector<interop::ProbeInfo> probes_;
-    std::uint32_t size_;
+    MeasuredFaces faces_;
     Tolerance::Of tolerance_;
     std::vector<interop::DistanceMapInfo> infos_;
     Buffer info_buffer_;
@@ -75,7 +74,6 @@ class DistanceMaps {
     Buffer horizon_buffer_;
     Buffer samples_;
     Buffer bounds_;
-    std::vector<bool> captured_;  ///< of each face of each probe
 };
 
 /// Beyond this they would only tell apart what no map shows.

@@ -44,8 +44,6 @@ struct KernelCode {
 
 /// Measures the samples of a face about a capture point, and bounds them over blocks: the finest level first,
 /// then each coarser one from that below.
-/// @tparam MeasurePush push constants of the kernel that measures, with begin and end
-template <typename MeasurePush>
 class FaceKernels {
   public:
     /// @param bound makes the finest level, `reduce` each other
@@ -53,7 +51,7 @@ class FaceKernels {
     FaceKernels(Device& device, const KernelCode& measure, const KernelCode& bound, const KernelCode& reduce,
                 const Specialization& specialization, const Bindings& bindings)
         : device_(device),
-          measure_(device, measure.name, measure.spirv, specialization, sizeof(MeasurePush)),
+          measure_(device, measure.name, measure.spirv, specialization, sizeof(interop::MeasureFacePush)),
           bound_(device, bound.name, bound.spirv, specialization, sizeof(interop::BoundDistancesPush)),
           reduce_(device, reduce.name, reduce.spirv, {}, sizeof(interop::BoundDistancesPush)),
           measure_set_(measure_.bind(bindings)),
@@ -61,7 +59,7 @@ class FaceKernels {
           reduce_set_(reduce_.bind(bindings)) {
         // Drivers may compile at the first dispatch; these have nothing to work on.
         device.run("compile kernels", [&](const vk::raii::CommandBuffer& commands) {
-            measure_.dispatch(commands, measure_set_, MeasurePush{}, 1);
+            measure_.dispatch(commands, measure_set_, interop::MeasureFacePush{}, 1);
             bound_.dispatch(commands, bound_set_, interop::BoundDistancesPush{}, 1);
             reduce_.dispatch(commands, reduce_set_, interop::BoundDistancesPush{}, 1);
         });
@@ -69,15 +67,15 @@ class FaceKernels {
 
     /// @param title of what is measured, for messages
     /// @param size texels along the edge of the face, a power of two
-    /// @param first_sample, first_bounds of the face, in their buffers
+    /// @param first_bounds of the face, where they are stored
     /// @returns seconds on the device
-    double run(const std::string& title, const MeasurePush& push, std::uint32_t size,
-               std::uint32_t first_sample, std::uint32_t first_bounds) {
+    double run(const std::string& title, const interop::MeasureFacePush& push, std::uint32_t size,
+               std::uint32_t first_bounds) {
         const double seconds = measure_samples(device_, "measure " + title, measure_, measure_set_, push,
                                                samples_per_face(size), budget_);
         return seconds + device_.run("bound " + title, [&](const vk::raii::CommandBuffer& commands) {
             bound_.dispatch(commands, bound_set_,
-                            interop::BoundDistancesPush{first_sample, first_bounds, size},
+                            interop::BoundDistancesPush{push.first_sample, first_bounds, size},
                             group_count(size * size));
             for (std::uint32_t level = 1; level < bound_levels(size); ++level) {
                 const std::uint32_t edge = size >> level;

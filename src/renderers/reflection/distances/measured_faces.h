@@ -3,40 +3,63 @@
 
 #include "renderers/reflection/maps/seen_changes.h"
 
+#include "base/error.h"
+#include "base/progress.h"
+
 #include "interop/distance_map.h"
 #include "interop/reflection.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace utsuri {
 
-/// Texels along the edge of a face from which on what its samples may show is told; those of coarser faces
-/// are turned so far that they may see all around.
-inline constexpr std::uint32_t kSmallestTestedSize = 32;
+/// The faces of cubes about capture points that rays measure, and which of them are measured.
+class MeasuredFaces {
+  public:
+    /// None is measured.
+    /// @param instances that each of the probes belongs to
+    /// @param size texels along the edge of a face, a power of two
+    MeasuredFaces(const SceneData& data, const std::vector<std::uint32_t>& instances,
+                  const std::vector<interop::ProbeInfo>& probes, std::uint32_t size);
 
-/// What the samples of a face and its border may show.
-/// @param size texels along its edge, >= kSmallestTestedSize
-inline ViewPyramid measured_face(const glm::vec3& capture_point, std::uint32_t face, std::uint32_t size) {
-    // measure_distances.comp turns rays by at most 3 / size, and a turn moves a ray's place on the face,
-    // whose half edge is 1, the more the farther it is from the middle: at a corner, sqrt(3) from the point,
-    // three times as far, to first order. The rest, at most 1.35 in all at size 32, is within the texel that
-    // samples at the corners of texels leave.
-    const double wider = (2.0 * (interop::DISTANCE_BORDER + 1) + 9.0) / size;
-    return ViewPyramid(glm::dvec3(capture_point), face, wider);
-}
+    [[nodiscard]] const std::vector<interop::MeasuredView>& views() const { return views_; }
+    [[nodiscard]] std::uint32_t size() const { return size_; }
+    /// The same faces, none of them measured.
+    [[nodiscard]] MeasuredFaces unmeasured() const;
 
-/// Marks those of the captured faces of probes as not captured that a change may have changed.
-/// @param seen (view, probe): whether something of the change may be in a view
-template <typename Seen>
-void forget_faces(std::vector<bool>& captured, const std::vector<interop::ProbeInfo>& probes,
-                  std::uint32_t size, const Seen& seen) {
-    for (std::size_t i = 0; i < captured.size(); ++i) {
-        const std::size_t probe = i / interop::DISTANCE_FACES;
-        const auto face = static_cast<std::uint32_t>(i % interop::DISTANCE_FACES);
-        if (size < kSmallestTestedSize || seen(measured_face(probes[probe].capture_point, face, size), probe))
-            captured[i] = false;
+    /// Whether what was measured of them is stored as of these: they are as many and as fine.
+    [[nodiscard]] bool are_stored_as(const MeasuredFaces& others) const;
+    /// Counts those as measured that were so before the scene changed, with a view that is still the same.
+    /// @param previous stored as these
+    void reuse_from(const MeasuredFaces& previous);
+    /// Counts those as not measured in which something of a change may be seen.
+    /// @param seen (view, instance that the view leaves out): whether something of it may be in the view
+    void forget(const std::function<bool(const ViewPyramid&, std::uint32_t)>& seen);
+
+    [[nodiscard]] bool are_complete() const;
+    /// Calls measure(push, probe) for each face that is not measured, and counts it as measured then; begin,
+    /// end and first_sample of the push are not set.
+    /// @throws Interrupted if progress says so
+    template <typename Measure>
+    void measure_missing(Progress& progress, const Measure& measure) {
+        for (std::uint32_t i = 0; i < measured_.size(); ++i) {
+            if (progress.cancelled()) throw Interrupted();
+            if (measured_[i]) continue;
+            interop::MeasureFacePush push{};
+            push.view = views_[i / interop::DISTANCE_FACES];
+            push.face = i % interop::DISTANCE_FACES;
+            measure(push, i / interop::DISTANCE_FACES);
+            measured_[i] = true;
+            progress.update(i + 1.0, static_cast<double>(measured_.size()));
+        }
     }
-}
+
+  private:
+    std::vector<interop::MeasuredView> views_;  ///< of each probe
+    std::uint32_t size_;
+    std::vector<bool> measured_;  ///< of each face of each probe
+};
 
 }  // namespace utsuri

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "renderers/light/surface_light.h"
-#include "renderers/reflection/maps/seen_changes.h"
+#include "renderers/reflection/distances/measured_faces.h"
 #include "renderers/scene/gpu_scene.h"
 
 #include "base/progress.h"
 
 #include "interop/radiance_bounds.h"
-#include "interop/reflection.h"
+
+#include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <vector>
@@ -20,11 +21,9 @@ namespace utsuri {
 /// bright it can be there.
 class RadianceBounds {
   public:
-    /// @param size of the distance maps
+    /// @param faces of the distance maps
     /// @throws UsageError if they cannot fit into one buffer of the device
-    /// @param instances that each of the probes belongs to
-    RadianceBounds(Device& device, std::vector<std::uint32_t> instances,
-                   const std::vector<interop::ProbeInfo>& infos, std::uint32_t size);
+    RadianceBounds(Device& device, const MeasuredFaces& faces);
 
     /// Takes bounds over from those of the scene before it changed, where they are as many and as fine: of
     /// the capture points that stay where they are.
@@ -41,15 +40,23 @@ class RadianceBounds {
 
     [[nodiscard]] Bindings bindings() const;
 
+    /// What a block and its neighbours can show, cd/m2.
+    struct Block {
+        glm::vec3 darkest;
+        glm::vec3 brightest;
+
+        friend bool operator==(const Block&, const Block&) = default;
+    };
+    /// The blocks of a level of a face, row by row, for tests.
+    [[nodiscard]] std::vector<Block> blocks(std::uint32_t probe, std::uint32_t face,
+                                            std::uint32_t level) const;
+
   private:
     Device* device_;
-    std::vector<std::uint32_t> instances_;
-    std::vector<interop::ProbeInfo> probes_;
-    std::uint32_t size_;
+    MeasuredFaces faces_;
     Buffer samples_;  ///< of one face
     Buffer darkest_;
     Buffer brightest_;
-    std::vector<bool> captured_;  ///< of each face of each probe
 };
 
 }  // namespace utsuri
