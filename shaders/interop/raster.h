@@ -21,8 +21,8 @@ struct FrameInfo {
 INTEROP_FLOAT_CONSTANT DRAWN_PLAIN = 0.0f;      ///< there is none
 INTEROP_FLOAT_CONSTANT DRAWN_LOOKED_UP = 1.0f;  ///< in a map
 INTEROP_FLOAT_CONSTANT DRAWN_RAY = 1024.0f;     ///< or more: by so many rays times this
-/// Counted for a pixel, at most: halves stay exact in float32.
-INTEROP_CONSTANT DRAWN_MOST_RAYS = 8191u;
+/// Counted for a pixel, at most: quarters stay exact in float32.
+INTEROP_CONSTANT DRAWN_MOST_RAYS = 4095u;
 
 /// Number of the view that the eye has directly; mirrored views follow.
 INTEROP_CONSTANT VIEW_OF_EYE = 1024u;

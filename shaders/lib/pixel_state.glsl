@@ -3,7 +3,7 @@
 // Below zero, by mirrored views: minus the number of reflections that it shows, and half less where they were cut short; or
 // minus the number of the view that it waits for, which is VIEW_OF_EYE or more.
 // From DRAWN_LOOKED_UP on, by maps or rays: one more for each reflection by mirrored views before, a half more where the last
-// mirror was a plane one, and DRAWN_RAY more for each ray.
+// mirror was a plane one, a quarter more where rays were cut short, and DRAWN_RAY more for each ray.
 #ifndef UTSURI_LIB_PIXEL_STATE
 #define UTSURI_LIB_PIXEL_STATE
 
@@ -17,12 +17,17 @@ float truncated_at(uint reflections) {
     return -float(reflections) - 0.5;
 }
 
-float found_by(uint reflections, uint rays) {
-    return DRAWN_LOOKED_UP + float(reflections) + DRAWN_RAY * float(min(rays, DRAWN_MOST_RAYS));
+float found_in_map(uint reflections) {
+    return DRAWN_LOOKED_UP + float(reflections);
 }
 
-float traced_at_plane_mirror(uint reflections, uint rays) {
-    return found_by(reflections, rays) + 0.5;
+/// @param cut whether the rays' chain ended at the max depth
+float found_by_rays(uint reflections, uint rays, bool cut) {
+    return found_in_map(reflections) + DRAWN_RAY * float(min(rays, DRAWN_MOST_RAYS)) + (cut ? 0.25 : 0.0);
+}
+
+float traced_at_plane_mirror(uint reflections, uint rays, bool cut) {
+    return found_by_rays(reflections, rays, cut) + 0.5;
 }
 
 float waiting_for(uint number) {
@@ -40,7 +45,7 @@ uint rays_of(float state) {
 }
 
 bool is_truncated(float state) {
-    return state < 0.0 && fract(state) != 0.0;
+    return state < 0.0 ? fract(state) != 0.0 : fract(2.0 * state) != 0.0;
 }
 
 #endif

@@ -188,6 +188,24 @@ TEST_F(HybridViews, OfCurvedMirrorsAreCutWhereChainsAre) {
     EXPECT_LT(share_that_differs(hybrid.image, traced(scene, shallow), 0.15f), kMostEdgePixels);
 }
 
+// Where a view costs more than rays, these are cut: what shows the ball in the mirror is, and lacks what
+// the ball reflects. Of the samples of a pixel one or all may be cut.
+TEST_F(HybridViews, CountTheChainsOfRaysThatAreCut) {
+    RenderSettings shallow{16, 12, 3, 4};
+    shallow.max_depth = 1;
+    const Scene scene = mirror_and_ball(mirror());
+    const View hybrid = view(scene, MapKind::hybrid, 0.0f, shallow);
+    EXPECT_EQ(hybrid.counts.lookups, hybrid.counts.traced);
+    const View deeper = view(scene, MapKind::hybrid, 0.0f, {16, 12, 3, 8});
+    std::uint64_t darker = 0;
+    for (std::size_t i = 0; i < hybrid.image.pixels.size(); ++i)
+        darker += hybrid.image.pixels[i] != deeper.image.pixels[i] ? 1 : 0;
+    EXPECT_GT(darker, 0u);
+    EXPECT_GE(hybrid.counts.truncated, darker);
+    EXPECT_LE(hybrid.counts.truncated, darker * kSamples);
+    EXPECT_LT(deeper.counts.truncated, hybrid.counts.truncated);
+}
+
 // Without a reflection allowed, what is not looked up is dark, with mirrored views and without.
 TEST_F(HybridViews, NoRayIsFollowedAtADepthOfNothing) {
     RenderSettings flat = kPicture;

@@ -13,15 +13,16 @@ bool look_up(Surface surface, vec3 wo, out vec3 radiance);
 /// @param state is set to how it was found; a chain that has as many reflections as there may be is cut, as traced ones are
 vec3 hybrid_light(Surface surface, vec3 wo, uint reflections, out float state) {
     vec3 reflected;
-    uint rays = 0u;
-    if (!look_up(surface, wo, reflected)) {
-        if (reflections >= frame.max_depth) {
-            state = truncated_at(reflections + 1u);
-            return vec3(0.0);
-        }
-        reflected = traced_radiance(surface, wo, reflections, rays);
+    if (look_up(surface, wo, reflected)) {
+        state = found_in_map(reflections);
+    } else if (reflections < frame.max_depth) {
+        TracedReflection traced = trace_reflection(surface, wo, reflections);
+        reflected = traced.radiance;
+        state = found_by_rays(reflections, traced.rays, traced.cut);
+    } else {
+        state = truncated_at(reflections + 1u);
+        return vec3(0.0);
     }
-    state = found_by(reflections, rays);
     return specular_reflectance(surface, abs(dot(surface.ns, wo))) * reflected;
 }
 

@@ -16,7 +16,7 @@ void main() {
     vec3 radiance = drawn_light(wo, surface);
     float state = complete_after(view.reflections);
     if (is_mirror(surface)) {
-        state = found_by(view.reflections, 0u);
+        state = found_in_map(view.reflections);
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
                     mapped_radiance(surface, mirror_direction(surface, wo));
     }

@@ -15,10 +15,9 @@ void main() {
     vec3 radiance = drawn_light(wo, surface);
     float state = complete_after(view.reflections);
     if (is_mirror(surface)) {
-        uint rays;
-        vec3 reflected = traced_radiance(surface, wo, view.reflections, rays);
-        radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) * reflected;
-        state = traced_at_plane_mirror(view.reflections, rays);
+        TracedReflection traced = trace_reflection(surface, wo, view.reflections);
+        radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) * traced.radiance;
+        state = traced_at_plane_mirror(view.reflections, traced.rays, traced.cut);
     }
     drawn = with_light(radiance, state);
     drawn_throughput = vec4(0.0);

@@ -12,8 +12,7 @@ struct RenderSettings {
     std::uint32_t seed = 0;
     std::uint32_t max_depth = 8;  ///< most specular reflections followed
     /// Traced pictures take what diffuse lobes send out from the light kept on surfaces, as drawn ones always
-    /// do: what they differ by is then due to reflections. (What glossy surfaces show in reflection maps is
-    /// simulated when these are captured.)
+    /// do: what they differ by is then due to reflections.
     bool kept_light = false;
 };
 
