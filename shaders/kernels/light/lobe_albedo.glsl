@@ -26,9 +26,18 @@ LobeAlbedo lobe_albedo(Surface surface, float cos_o) {
                       f.y);
 }
 
+/// LobeAlbedo::lost alone: it is the same whatever alpha is, so that one row of the table tells.
+float lost_under_lobe(float cos_o) {
+    const float LAST = float(LOBE_ALBEDO_SIZE - 1u);
+    float position = LAST * clamp(sqrt(cos_o), 0.0, 1.0);
+    float corner = min(floor(position), LAST - 1.0);
+    return mix(lobe_albedos[uint(corner)].lost, lobe_albedos[uint(corner) + 1u].lost, position - corner);
+}
+
 /// Share of the light that arrives which leaves diffusely from under a glossy lobe.
-vec3 diffuse_under_lobe(Surface surface, LobeAlbedo albedo) {
-    float kept = 1.0 - mix(surface.f0, surface.f90, albedo.lost);
+/// @param lost as LobeAlbedo has it
+vec3 diffuse_under_lobe(Surface surface, float lost) {
+    float kept = 1.0 - mix(surface.f0, surface.f90, lost);
     return surface.base_colour * ((1.0 - surface.metallic) * kept);
 }
 

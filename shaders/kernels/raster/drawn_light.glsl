@@ -71,7 +71,7 @@ vec3 drawn_glossy_light(Surface surface, vec3 wo) {
     vec3 normal = specular_reflectance(surface, 1.0);
     vec3 grazing = specular_reflectance(surface, 0.0);
     vec3 radiance = (normal * albedo.constant + grazing * albedo.schlick) * glossy_radiance(surface, wo, drawn_reflection);
-    if (surface.metallic < 1.0) radiance += diffuse_under_lobe(surface, albedo) * drawn_diffuse_light(surface);
+    if (surface.metallic < 1.0) radiance += diffuse_under_lobe(surface, albedo.lost) * drawn_diffuse_light(surface);
     if (HAS_PUNCTUAL_LIGHTS) radiance += punctual_highlights(surface, wo);
     return radiance;
 }

@@ -89,5 +89,13 @@ TEST(LobeAlbedo, TableIsFineEnough) {
     }
 }
 
+// lost_under_lobe() in kernels/light/lobe_albedo.glsl reads the first row alone.
+TEST(LobeAlbedo, LosesTheSameWhateverTheWidthOfTheLobe) {
+    constexpr std::uint32_t kSize = interop::LOBE_ALBEDO_SIZE;
+    const auto& table = lobe_albedo_table();
+    for (std::uint32_t i = 0; i < kSize * kSize; ++i)
+        EXPECT_EQ(table[i].lost, table[i % kSize].lost) << "entry " << i;
+}
+
 }  // namespace
 }  // namespace utsuri
