@@ -174,7 +174,7 @@ std::vector<interop::DistanceSample> DistanceMaps::samples(std::uint32_t probe, 
 std::vector<interop::DistanceBounds> DistanceMaps::bounds(std::uint32_t probe, std::uint32_t face,
                                                           std::uint32_t level) const {
     const std::uint32_t edge = size() >> level;
-    std::vector<interop::DistanceBounds> result(std::size() t{edge} * edge);
+    std::vector<interop::DistanceBounds> result(std::size_t{edge} * edge);
     const std::uint64_t first = infos_[probe].first_bounds + std::uint64_t{face} * bounds_per_face(size()) +
                                 first_of_level(size(), level);
     bounds_.download(std::as_writable_bytes(std::span(result)), first * sizeof(interop::DistanceBounds));
