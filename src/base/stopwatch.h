@@ -8,7 +8,9 @@ namespace utsuri {
 /// Measures the time since it was made, on a clock that never goes back.
 class Stopwatch {
   public:
-    [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(Clock::now() - start_).count();
+    }
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -19,13 +19,19 @@ const glm::vec3 kBright(2.0f, 4.0f, 8.0f);
 /// As lib/cube.glsl numbers faces.
 constexpr std::uint32_t kTowardsPlusX = 0;
 
+std::vector<interop::ProbeInfo> probe_at(const glm::vec3& capture_point) {
+    interop::ProbeInfo probe{};
+    probe.capture_point = capture_point;
+    return {probe};
+}
+
 /// The distances and the bounds of one capture point of the first instance.
 struct Measured {
     DistanceMaps distances;
     RadianceBounds bounds;
 
     Measured(Device& device, const SceneData& data, const glm::vec3& capture_point)
-        : distances(device, data, {0}, {{.capture_point = capture_point}}, kSize, Tolerance::Of::radiance),
+        : distances(device, data, {0}, probe_at(capture_point), kSize, Tolerance::Of::radiance),
           bounds(device, distances.faces()) {}
 
     void capture(const GpuScene& scene, const SurfaceLight& light) {
