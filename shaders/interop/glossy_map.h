@@ -45,6 +45,8 @@ struct HalveMapPush {
     uint first_source;  ///< texels of the finer level, all faces
     uint first_texel;   ///< of the coarser level
     uint size;          ///< of the coarser level
+    uint begin;         ///< texels of this dispatch: [begin, end) of all faces of the coarser level
+    uint end;
 };
 
 struct PrefilterMapPush {
@@ -52,6 +54,8 @@ struct PrefilterMapPush {
     uint size;         ///< of the level made
     uint first_texel;
     float alpha;  ///< GGX width
+    uint begin;   ///< texels of this dispatch: [begin, end) of all faces of the level made, borders included
+    uint end;
 };
 
 INTEROP_END

@@ -86,7 +86,8 @@ struct ReflectVerticesPush {
     vec3 right;  ///< unit axes of the eye
     vec3 up;
     vec3 forward;
-    uint count;
+    uint begin;  ///< vertices of this dispatch: [begin, end)
+    uint end;
 };
 
 /// A polygon that lies within one face, or a triangle of one that was cut along the faces.
@@ -110,6 +111,8 @@ struct ClipPush {
     uint polygons;
     uint faces;     ///< of the polyhedron
     uint most_cut;  ///< cut pieces that there is room for
+    uint begin;     ///< polygons of this dispatch: [begin, end)
+    uint end;
 };
 
 /// What an indirect draw reads: VkDrawIndirectCommand.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernel.h"
 
+#include "base/check.h"
 #include "gpu/vulkan_call.h"
 
 namespace utsuri {
@@ -33,6 +34,7 @@ Kernel::~Kernel() = default;
 
 void Kernel::dispatch_bytes(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
                             std::span<const std::byte> push, std::uint32_t groups) const {
+    UTSURI_CHECK_LE(groups, kMaxGroups);
     const vk::MemoryBarrier2 after_previous(
         vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite,
         vk::PipelineStageFlagBits2::eComputeShader,

@@ -5,7 +5,11 @@
 
 #include "interop/workgroup.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <string>
 
 namespace utsuri {
 
@@ -34,10 +38,23 @@ class Kernel {
     }
 
     /// Records a dispatch of `groups` workgroups, ordered after everything recorded or run before.
+    /// @param groups at most kMaxGroups
     template <typename Push>
     void dispatch(const vk::raii::CommandBuffer& commands, const BindingSet& bindings, const Push& push,
                   std::uint32_t groups) const {
         dispatch_bytes(commands, bindings, std::as_bytes(std::span(&push, 1)), groups);
+    }
+
+    /// Records as many dispatches as it takes to work on `count` invocations; none for 0.
+    /// @param push its `begin` and `end` tell the kernel which of them a dispatch is for: [begin, end)
+    /// @param most_groups of a dispatch, in [1, kMaxGroups]; how the work is cut changes no result
+    template <typename Push>
+    void dispatch_over(const vk::raii::CommandBuffer& commands, const BindingSet& bindings, Push push,
+                       std::uint32_t count, std::uint32_t most_groups = kMaxGroups) const {
+        for (push.begin = 0; push.begin < count; push.begin = push.end) {
+            push.end = push.begin + std::min(count - push.begin, most_groups * interop::WORKGROUP_SIZE);
+            dispatch(commands, bindings, push, group_count(push.end - push.begin));
+        }
     }
 
   private:

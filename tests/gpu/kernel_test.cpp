@@ -51,6 +51,18 @@ TEST_F(KernelOnDevice, RefusesPushConstantsOfAnotherSize) {
     EXPECT_NO_THROW(device().run("nothing", [](const vk::raii::CommandBuffer&) {}));
 }
 
+TEST_F(KernelOnDevice, RefusesMoreGroupsThanEveryDeviceTakes) {
+    const Kernel kernel(device(), "film_probe", kernels::film_probe, {}, sizeof(interop::ProbePush));
+    const Buffer buffer(device(), 64, "any");
+    const BindingSet set = kernel.bind({{0, &buffer}, {1, &buffer}});
+    EXPECT_THROW(device().run("dispatch too much",
+                              [&](const vk::raii::CommandBuffer& commands) {
+                                  kernel.dispatch(commands, set, interop::ProbePush{0}, kMaxGroups + 1);
+                              }),
+                 CheckFailure);
+    EXPECT_NO_THROW(device().run("nothing", [](const vk::raii::CommandBuffer&) {}));
+}
+
 TEST_F(KernelOnDevice, SeesWhatDispatchesBeforeItWrote) {
     // Each dispatch in turn reads what the one before wrote: query i of the next is answers 2i and 2i + 1.
     const Kernel kernel(device(), "film_probe", kernels::film_probe, {}, sizeof(interop::ProbePush));

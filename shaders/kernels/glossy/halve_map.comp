@@ -23,9 +23,9 @@ layout(scalar, set = METHOD_SET, binding = BINDING_MAP_INVERSE_DISTANCES) restri
 };
 
 void main() {
-    uint index = gl_GlobalInvocationID.x;
+    uint index = push.begin + gl_GlobalInvocationID.x;
+    if (index >= push.end) return;
     uint per_face = push.size * push.size;
-    if (index >= GLOSSY_MAP_FACES * per_face) return;
     uint face = index / per_face;
     uvec2 block = uvec2(index % push.size, index % per_face / push.size);
     uint edge = 2u * push.size;

@@ -97,9 +97,9 @@ vec4 sum_blocks(vec3 n) {
 }
 
 void main() {
-    uint index = gl_GlobalInvocationID.x;
+    uint index = push.begin + gl_GlobalInvocationID.x;
+    if (index >= push.end) return;
     uint stride = push.size + 2u * GLOSSY_MAP_BORDER;
-    if (index >= GLOSSY_MAP_FACES * stride * stride) return;
     vec2 texel = vec2(index % stride, index / stride % stride) - float(GLOSSY_MAP_BORDER);
     vec2 p = (texel + 0.5) * (2.0 / float(push.size)) - 1.0;
     uint face = index / (stride * stride);

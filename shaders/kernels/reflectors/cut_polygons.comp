@@ -57,8 +57,8 @@ uint write_part(uint slot, uint index, ReflectorTriangle polygon, ReflectedTrian
 }
 
 void main() {
-    uint straddler = gl_GlobalInvocationID.x;
-    if (straddler >= push.polygons) return;
+    uint straddler = push.begin + gl_GlobalInvocationID.x;
+    if (straddler >= push.end) return;
     uint straddler_count = straddling[push.polygons];
     if (WRITES && straddler == 0u) {
         arguments[0] = DrawArguments(3u * (push.polygons - straddler_count), 1u, 0u, 0u);

@@ -27,8 +27,8 @@ vec2 sphere_map_coordinate(vec3 reflected) {
 }
 
 void main() {
-    uint index = gl_GlobalInvocationID.x;
-    if (index >= push.count) return;
+    uint index = push.begin + gl_GlobalInvocationID.x;
+    if (index >= push.end) return;
     ReflectorVertex vertex = reflector_vertices[index];
     // Not normalised: on a plane this is affine in the position, so that interpolating it is exact.
     vec3 reflected = reflect(vertex.position - push.eye, vertex.normal);

@@ -19,8 +19,8 @@ layout(scalar, set = METHOD_SET, binding = BINDING_DRAWN_POLYGONS) writeonly res
 layout(scalar, set = METHOD_SET, binding = BINDING_WHOLE_PIECES) writeonly restrict buffer WholePieces { Piece whole_pieces[]; };
 
 void main() {
-    uint index = gl_GlobalInvocationID.x;
-    if (index >= push.polygons) return;
+    uint index = push.begin + gl_GlobalInvocationID.x;
+    if (index >= push.end) return;
     uvec3 vertices = reflector_triangles[index].vertices;
     // The vectors that point at a face form a convex cone: if a triangle's corners are in it, so is the triangle.
     uint face = map_face(vertex_reflections[vertices.x].direction);

@@ -16,8 +16,12 @@ std::vector<interop::AovPixel> render_aovs(Device& device, const GpuScene& scene
                                            std::uint32_t height) {
     const Kernel kernel(device, "aov", kernels::aov, scene.specialization(), sizeof(interop::FramePush));
     // One first hit costs little: a band of this many rows stays far under the time that drivers allow.
-    const std::uint32_t rows =
-        std::min({rows_per_band(device, width, sizeof(interop::AovPixel)), height, 128u});
+    constexpr std::uint32_t kMostRows = 128;
+    // The rows of tiles that one dispatch has workgroups for.
+    const std::uint32_t rows_of_groups =
+        std::max(1u, kMaxGroups / tile_count(width, interop::TILE_SIZE)) * interop::TILE_SIZE;
+    const std::uint32_t rows = std::min(
+        {rows_per_band(device, width, sizeof(interop::AovPixel)), height, kMostRows, rows_of_groups});
     const Buffer pixels(device, std::uint64_t{width} * rows * sizeof(interop::AovPixel), "first hits");
     Bindings bindings = scene.bindings();
     bindings[interop::BINDING_AOV] = &pixels;

@@ -3,38 +3,15 @@
 
 #include "renderers/reflection/distances/distance_levels.h"
 
-#include "gpu/dispatch_budget.h"
-#include "gpu/kernel.h"
+#include "gpu/budgeted_run.h"
 
 #include "interop/distance_map.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string>
 
 namespace utsuri {
-
-/// Runs a kernel over the samples of a face, in dispatches that fit the budget.
-/// @param push whose begin and end are the samples of a dispatch
-/// @returns seconds on the device
-template <typename Push>
-double measure_samples(Device& device, const std::string& title, const Kernel& kernel, const BindingSet& set,
-                       Push push, std::uint32_t samples, DispatchBudget& budget) {
-    double sum = 0.0;
-    for (push.begin = 0; push.begin < samples; push.begin = push.end) {
-        const std::uint64_t fitting =
-            std::clamp<std::uint64_t>(budget.next_units(), interop::WORKGROUP_SIZE,
-                                      std::uint64_t{kMaxGroups} * interop::WORKGROUP_SIZE);
-        push.end = static_cast<std::uint32_t>(std::min<std::uint64_t>(samples, push.begin + fitting));
-        const double seconds = device.run(title, [&](const vk::raii::CommandBuffer& commands) {
-            kernel.dispatch(commands, set, push, group_count(push.end - push.begin));
-        });
-        budget.record(push.end - push.begin, seconds);
-        sum += seconds;
-    }
-    return sum;
-}
 
 /// A kernel's name and SPIR-V.
 struct KernelCode {
@@ -71,8 +48,8 @@ class FaceKernels {
     /// @returns seconds on the device
     double run(const std::string& title, const interop::MeasureFacePush& push, std::uint32_t size,
                std::uint32_t first_bounds) {
-        const double seconds = measure_samples(device_, "measure " + title, measure_, measure_set_, push,
-                                               samples_per_face(size), budget_);
+        const double seconds = run_in_budget(device_, "measure " + title, measure_, measure_set_, push,
+                                             samples_per_face(size), budget_);
         return seconds + device_.run("bound " + title, [&](const vk::raii::CommandBuffer& commands) {
             bound_.dispatch(commands, bound_set_,
                             interop::BoundDistancesPush{push.first_sample, first_bounds, size},

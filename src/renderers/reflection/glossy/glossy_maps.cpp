@@ -95,7 +95,7 @@ FrameCounts GlossyMaps::capture(MapPrefilter& prefilter, std::uint32_t probe, co
         const interop::GlossyLevel& made = plan_.levels[plan_.probes[probe].first_level + level];
         const float roughness = plan_.roughness(instance, level);
         counts.gpu_seconds +=
-            prefilter.convolve({source, made.size, made.first_texel, roughness * roughness});
+            prefilter.convolve({source, made.size, made.first_texel, roughness * roughness, 0, 0});
     }
     return counts;
 }

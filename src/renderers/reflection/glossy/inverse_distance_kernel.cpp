@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/glossy/inverse_distance_kernel.h"
 
-#include "renderers/reflection/distances/face_kernels.h"
+#include "gpu/budgeted_run.h"
 
 #include "interop/bindings.h"
 #include "interop/glossy_map.h"
@@ -48,7 +48,7 @@ FrameCounts InverseDistanceKernel::measure(const glm::vec3& point, std::uint32_t
     FrameCounts counts;
     counts.rays = texels;
     counts.gpu_seconds =
-        measure_samples(device_, "measure inverse distances", kernel_, set_, push, texels, budget_);
+        run_in_budget(device_, "measure inverse distances", kernel_, set_, push, texels, budget_);
     return counts;
 }
 

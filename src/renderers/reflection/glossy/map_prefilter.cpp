@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/glossy/map_prefilter.h"
 
+#include "gpu/budgeted_run.h"
+
 #include "interop/bindings.h"
 #include "interop/reflection.h"
 #include "interop/specialization.h"
@@ -89,6 +91,7 @@ void MapPrefilter::warm_up() {
     device_.run("compile kernels", [&](const vk::raii::CommandBuffer& commands) {
         resolver_.dispatch(commands, set, interop::ResolveMapPush{}, 1);
         halver_.dispatch(commands, halve_set_, interop::HalveMapPush{}, 1);
+        convolver_.dispatch(commands, convolve_set_, interop::PrefilterMapPush{}, 1);
     });
     if (measurer_) measurer_->warm_up();
 }
@@ -117,20 +120,18 @@ FrameCounts MapPrefilter::capture(const glm::vec3& point, std::uint32_t size, Fr
     counts.gpu_seconds += device_.run("halve maps", [&](const vk::raii::CommandBuffer& commands) {
         for (std::uint32_t level = 1; size >> level > 0; ++level) {
             const std::uint32_t edge = size >> level;
-            halver_.dispatch(
-                commands, halve_set_,
-                interop::HalveMapPush{first_of_level(size, level - 1), first_of_level(size, level), edge},
-                group_count(kFaces * edge * edge));
+            halver_.dispatch_over(commands, halve_set_,
+                                  interop::HalveMapPush{first_of_level(size, level - 1),
+                                                        first_of_level(size, level), edge, 0, 0},
+                                  kFaces * edge * edge);
         }
     });
     return counts;
 }
 
 double MapPrefilter::convolve(const interop::PrefilterMapPush& push) {
-    return device_.run("prefilter maps", [&](const vk::raii::CommandBuffer& commands) {
-        convolver_.dispatch(commands, convolve_set_, push,
-                            group_count(static_cast<std::uint32_t>(prefiltered_texels(push.size))));
-    });
+    return run_in_budget(device_, "prefilter maps", convolver_, convolve_set_, push,
+                         static_cast<std::uint32_t>(prefiltered_texels(push.size)), budget_);
 }
 
 Bindings MapPrefilter::resolve_bindings(const Film::Band& band) const {

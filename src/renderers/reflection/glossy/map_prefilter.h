@@ -6,6 +6,9 @@
 #include "renderers/reflection/glossy/inverse_distance_kernel.h"
 #include "renderers/scene/gpu_scene.h"
 
+#include "gpu/dispatch_budget.h"
+#include "gpu/kernel.h"
+
 #include "interop/glossy_map.h"
 
 #include <glm/vec3.hpp>
@@ -44,6 +47,7 @@ class MapPrefilter {
                         std::uint32_t samples);
 
     /// Convolves what was captured last.
+    /// @param push all but its range of texels, which is found here
     /// @returns seconds on the device
     double convolve(const interop::PrefilterMapPush& push);
 
@@ -63,6 +67,7 @@ class MapPrefilter {
     std::optional<InverseDistanceKernel> measurer_;  ///< if distances are kept
     BindingSet halve_set_;
     BindingSet convolve_set_;
+    DispatchBudget budget_;  ///< of texels convolved
 };
 
 }  // namespace utsuri

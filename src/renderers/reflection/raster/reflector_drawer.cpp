@@ -114,7 +114,8 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
       clip_{static_cast<std::uint32_t>(reflectors.triangles.size()), static_cast<std::uint32_t>(faces.size()),
             kind == MapKind::polygon
                 ? most_cut_pieces.value_or(room_for_cut_pieces(reflectors.triangles.size()))
-                : 1},
+                : 1,
+            0, 0},
       vertices_(make_buffer<interop::ReflectorVertex>(device, reflectors.vertices, "reflector vertices")),
       triangles_(
           make_buffer<interop::ReflectorTriangle>(device, reflectors.triangles, "reflector triangles")),
@@ -211,16 +212,14 @@ ReflectorDrawer::Clipping ReflectorDrawer::make_clipping(const Specialization& s
 }
 
 void ReflectorDrawer::run_twice(const vk::raii::CommandBuffer& commands, const TwoRuns& runs) const {
-    runs.count.dispatch(commands, runs.count_set, clip_, group_count(clip_.polygons));
+    runs.count.dispatch_over(commands, runs.count_set, clip_, clip_.polygons);
     clipping_->prefix_sum.dispatch(commands, runs.sum_set, interop::PrefixSumPush{clip_.polygons}, 1);
-    runs.write.dispatch(commands, runs.write_set, clip_, group_count(clip_.polygons));
+    runs.write.dispatch_over(commands, runs.write_set, clip_, clip_.polygons);
 }
 
 double ReflectorDrawer::set_eye(const interop::ReflectVerticesPush& eye) {
     return device_.run("reflect vertices", [&](const vk::raii::CommandBuffer& commands) {
-        interop::ReflectVerticesPush push = eye;
-        push.count = vertex_count_;
-        vertex_kernel_.dispatch(commands, vertex_set_, push, group_count(vertex_count_));
+        vertex_kernel_.dispatch_over(commands, vertex_set_, eye, vertex_count_);
         if (!clipping_) return;
         run_twice(commands, clipping_->sort);
         run_twice(commands, clipping_->cut);

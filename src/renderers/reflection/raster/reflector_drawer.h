@@ -33,6 +33,7 @@ class ReflectorDrawer {
                     Tolerance::Of tolerance, const Specialization& specialization, const Bindings& bindings);
 
     /// The pass over vertices and polygons: what a new eye costs.
+    /// @param eye all but its range of vertices, which is found here
     /// @returns seconds on the device
     double set_eye(const interop::ReflectVerticesPush& eye);
 
