@@ -47,14 +47,14 @@ struct FilmPixel {
     FilmSum halves[2];
 };
 
-/// Totals of a dispatch.
+/// What an invocation counts, and sums of that over dispatches: kernels/film/counters.glsl.
 struct Counters {
     uint rays;        ///< closest-hit and any-hit queries
     uint nonfinite;   ///< samples that were not finite and were left out
     uint lookups;     ///< specular directions resolved
     uint traced;      ///< of those, by following a ray
     uint truncated;   ///< specular chains cut at max_depth
-    uint incomplete;  ///< pixels whose loop over the samples the driver ended early
+    uint incomplete;  ///< invocations whose loop over the samples the driver ended early
 };
 
 /// The first hit through the centre of a pixel.

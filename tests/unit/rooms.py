@@ -69,7 +69,7 @@ SHADER_ROOMS = [
     Room("interop", "structs, binding numbers, specialization ids: read by C++ and GLSL; no functions", []),
     Room("lib", "pure functions by concern; no buffers", ["interop"]),
     Room(KERNELS + "scene", "the scene's buffers and what reads them", ["interop", "lib"]),
-    Room(KERNELS + "film", "the loop over a pixel's samples", ["interop", "lib"]),
+    Room(KERNELS + "film", "sums of samples: the loop over those of a pixel, drawn ones, what is counted", ["interop", "lib"]),
     Room(KERNELS + "light", "light kept on surfaces: filled, looked up", ["interop", "lib"] + kernels("scene", "film")),
     Room(KERNELS + "trace", "rays from the eye, specular chains", ["interop", "lib"] + kernels("scene", "film", "light")),
     Room(KERNELS + "maps", "reflection maps: looked up, resolved", ["interop", "lib"]),

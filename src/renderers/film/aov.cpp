@@ -27,7 +27,6 @@ std::vector<interop::AovPixel> render_aovs(Device& device, const GpuScene& scene
     bindings[interop::BINDING_AOV] = &pixels;
     const Buffer unused(device, sizeof(interop::FilmPixel), "no film");
     bindings[interop::BINDING_FILM] = &unused;
-    bindings[interop::BINDING_COUNTERS] = &unused;
     const BindingSet set = kernel.bind(bindings);
 
     std::vector<interop::AovPixel> result;

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/film/film_kernel.h"
 
-#include "base/error.h"
 #include "base/stopwatch.h"
 
 #include "interop/bindings.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -39,8 +36,8 @@ FilmKernel::FilmKernel(Device& device, const std::string& name, std::span<const 
     : device_(&device),
       kernel_(device, name, spirv, specialization, sizeof(interop::FramePush)),
       bindings_(std::move(bindings)),
-      counters_(device, sizeof(interop::Counters), name + " counters") {
-    bindings_[interop::BINDING_COUNTERS] = &counters_;
+      counters_(device, name + " counters") {
+    bindings_[interop::BINDING_COUNTERS] = &counters_.buffer();
 }
 
 double FilmKernel::warm_up(Film& film) {
@@ -103,23 +100,12 @@ void FilmKernel::add_band(const Film& film, const Film::Band& band, const Bindin
         const std::uint32_t now = static_cast<std::uint32_t>(
             std::min<std::uint64_t>({tiles - done, fitting, std::uint64_t{kMaxGroups}}));
         push.first_tile = done;
-        counters_.fill_with_zero();
+        counters_.clear();
         const double seconds = device_->run("render", [&](const vk::raii::CommandBuffer& commands) {
             kernel_.dispatch(commands, bindings, push, now);
         });
         budget_.record(std::uint64_t{now} * samples, seconds);
-        const auto totals = counters_.download_records<interop::Counters>(1).front();
-        if (totals.incomplete > 0) {
-            throw DeviceError(
-                "render", device_->summary().name,
-                fmt::format("the driver ended the loops of {} pixels early; use a smaller --depth",
-                            totals.incomplete));
-        }
-        counts.rays += totals.rays;
-        counts.nonfinite += totals.nonfinite;
-        counts.lookups += totals.lookups;
-        counts.traced += totals.traced;
-        counts.truncated += totals.truncated;
+        accumulate(counts, counters_.read("render", "pixels", "a smaller --depth"));
         counts.gpu_seconds += seconds;
         done += now;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/film/device_counters.h"
 #include "renderers/film/film.h"
 #include "renderers/film/frame_counts.h"
 
@@ -49,7 +50,7 @@ class FilmKernel {
     Device* device_;
     Kernel kernel_;
     Bindings bindings_;
-    Buffer counters_;
+    DeviceCounters counters_;
     DispatchBudget budget_;
 };
 

@@ -3,16 +3,12 @@
 
 #include "renderers/light/direct/lattice_plan.h"
 
-#include "base/error.h"
 #include "base/stopwatch.h"
 #include "gpu/dispatch_budget.h"
 
 #include "interop/bindings.h"
-#include "interop/frame.h"
 #include "interop/specialization.h"
 #include "kernels/fill_light_cache.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
@@ -91,7 +87,7 @@ LightCache::LightCache(Device& device, const SceneData& data, const GpuScene& sc
       lattices_(plan()),
       triangles_(make_buffer<interop::LightCacheTriangle>(device, lattices_, "triangles of the light cache")),
       light_(device, buffer_bytes(lattices_), "light cache"),
-      counters_(device, sizeof(interop::Counters), "light cache counters") {}
+      counters_(device, "light cache counters") {}
 
 LightCache::Lattices LightCache::plan() const {
     return plan_light_cache(data_, settings_.spacing,
@@ -160,7 +156,7 @@ void LightCache::simulate(const std::vector<interop::ChangedBox>& changed, Progr
     const Buffer changed_boxes = make_buffer<interop::ChangedBox>(device_, changed, "boxes of what changed");
     Bindings bindings = scene_.bindings();
     bindings.merge(kept_bindings());
-    bindings[interop::BINDING_COUNTERS] = &counters_;
+    bindings[interop::BINDING_COUNTERS] = &counters_.buffer();
     bindings[interop::BINDING_LIGHT_BOUNDS] = &bounds_buffer;
     bindings[interop::BINDING_CHANGED_BOXES] = &changed_boxes;
     const Stopwatch compilation;
@@ -203,17 +199,12 @@ void LightCache::simulate(const std::vector<interop::ChangedBox>& changed, Progr
 FrameCounts LightCache::simulate_points(const Kernel& kernel, const BindingSet& set,
                                         const interop::LightCachePush& push) {
     const std::uint32_t points = push.end_point - push.first_point;
-    counters_.fill_with_zero();
-    FrameCounts counts;
-    counts.gpu_seconds = device_.run("fill the light cache", [&](const vk::raii::CommandBuffer& commands) {
+    counters_.clear();
+    const double seconds = device_.run("fill the light cache", [&](const vk::raii::CommandBuffer& commands) {
         kernel.dispatch(commands, set, push, group_count(points));
     });
-    const auto totals = counters_.download_records<interop::Counters>(1).front();
-    if (totals.incomplete > 0) {
-        throw DeviceError("fill the light cache", device_.summary().name,
-                          fmt::format("the driver ended the loops of {} points early", totals.incomplete));
-    }
-    counts.rays = totals.rays;
+    FrameCounts counts = counters_.read("fill the light cache", "points", "fewer --light-spp");
+    counts.gpu_seconds = seconds;
     return counts;
 }
 

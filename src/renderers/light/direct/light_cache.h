@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/film/device_counters.h"
 #include "renderers/light/direct/light_reach.h"
 #include "renderers/light/light_settings.h"
 #include "renderers/light/surface_light.h"
@@ -56,7 +57,7 @@ class LightCache : public SurfaceLight {
     Lattices lattices_;
     Buffer triangles_;
     Buffer light_;
-    Buffer counters_;
+    DeviceCounters counters_;
 };
 
 }  // namespace utsuri

@@ -58,7 +58,7 @@ DrawnSamples::DrawnSamples(Device& device, std::uint32_t width, std::uint32_t he
     : device_(device),
       drawn_(device, std::uint64_t{width} * rows_of_bands(device, width, height) * sizeof(glm::vec4),
              "drawn rows"),
-      counters_(device, sizeof(interop::Counters), "drawing counters"),
+      counters_(device, "drawing counters"),
       add_kernel_(device, "add_drawn", kernels::add_drawn, {}, sizeof(interop::AddDrawnPush)),
       map_states_(map_states) {}
 
@@ -67,10 +67,10 @@ void DrawnSamples::begin(const Film& film) {
     for (const Film::Band& band : film.bands()) {
         sets_.push_back(add_kernel_.bind({{interop::BINDING_FILM, &band.pixels},
                                           {interop::BINDING_DRAWN, &drawn_},
-                                          {interop::BINDING_COUNTERS, &counters_},
+                                          {interop::BINDING_COUNTERS, &counters_.buffer()},
                                           {interop::BINDING_MAP_STATES, &map_states_}}));
     }
-    counters_.fill_with_zero();
+    counters_.clear();
 }
 
 double DrawnSamples::draw(const Film& film, interop::FrameInfo frame, const Attachment& colour,
@@ -90,14 +90,7 @@ double DrawnSamples::draw(const Film& film, interop::FrameInfo frame, const Atta
 }
 
 FrameCounts DrawnSamples::counts() const {
-    const auto totals = counters_.download_records<interop::Counters>(1).front();
-    FrameCounts counts;
-    counts.nonfinite = totals.nonfinite;
-    counts.lookups = totals.lookups;
-    counts.traced = totals.traced;
-    counts.rays = totals.rays;
-    counts.truncated = totals.truncated;
-    return counts;
+    return counters_.read("draw the scene", "pixels", "a smaller --depth");
 }
 
 }  // namespace utsuri

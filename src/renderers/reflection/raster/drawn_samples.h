@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/film/device_counters.h"
 #include "renderers/film/film.h"
 #include "renderers/film/film_kernel.h"
 #include "renderers/scene/scene_data.h"
@@ -54,7 +55,7 @@ class DrawnSamples {
   private:
     Device& device_;
     Buffer drawn_;
-    Buffer counters_;
+    DeviceCounters counters_;
     Kernel add_kernel_;
     const Buffer& map_states_;
     std::vector<BindingSet> sets_;  ///< of the film's bands

@@ -6,6 +6,7 @@
 #include "interop/bindings.h"
 #include "interop/raster.h"
 #include "interop/workgroup.h"
+#include "kernels/film/counters.glsl"
 #include "lib/film.glsl"
 #include "lib/pixel_state.glsl"
 #include "lib/numeric.glsl"
@@ -16,28 +17,20 @@ layout(push_constant, scalar) uniform Push { AddDrawnPush push; };
 
 layout(scalar, set = METHOD_SET, binding = BINDING_FILM) restrict buffer Film { FilmPixel film[]; };
 layout(scalar, set = METHOD_SET, binding = BINDING_DRAWN) readonly restrict buffer Drawn { vec4 drawn[]; };
-layout(scalar, set = METHOD_SET, binding = BINDING_COUNTERS) restrict buffer CounterBuffer { Counters counters; };
 layout(scalar, set = METHOD_SET, binding = BINDING_MAP_STATES) readonly restrict buffer MapStates { uint wanted_maps; };
 
 void main() {
     uint pixel = gl_GlobalInvocationID.x;
     if (pixel >= push.pixels || wanted_maps > 0u) return;
     vec3 radiance = drawn[pixel].rgb;
-    uint rays = rays_of(drawn[pixel].a);
-    if (rays > 0u) {
-        atomicAdd(counters.traced, 1u);
-        atomicAdd(counters.rays, rays);
-    }
-    uint reflections = reflections_of(drawn[pixel].a);
-    if (reflections > 0u) atomicAdd(counters.lookups, reflections);
-    if (is_truncated(drawn[pixel].a)) atomicAdd(counters.truncated, 1u);
-    if (!is_finite(radiance)) {
-        atomicAdd(counters.nonfinite, 1u);
-        return;
-    }
+    float state = drawn[pixel].a;
+    uint rays = rays_of(state);
+    bool finite = is_finite(radiance);
+    count(Counters(rays, finite ? 0u : 1u, reflections_of(state), rays > 0u ? 1u : 0u, is_truncated(state) ? 1u : 0u, 0u));
+    if (!finite) return;
     // Only the half that the sample belongs to is read and written.
     uint parity = push.sample_index & 1u;
-    FilmSum state = film[pixel].halves[parity];
-    add_compensated(state.sum, state.compensation, radiance);
-    film[pixel].halves[parity] = state;
+    FilmSum half_sum = film[pixel].halves[parity];
+    add_compensated(half_sum.sum, half_sum.compensation, radiance);
+    film[pixel].halves[parity] = half_sum;
 }
