@@ -38,6 +38,15 @@ vk::raii::Device create_device(const vk::raii::PhysicalDevice& physical, std::ui
     return {physical, chain.get<vk::DeviceCreateInfo>()};
 }
 
+/// Makes what the commands before it write visible to the host. Waiting for a fence does not, even where
+/// memory is coherent: a fence only orders accesses of the device (Vulkan 1.3, chapter "Fences").
+void make_visible_to_host(const vk::raii::CommandBuffer& commands) {
+    const vk::MemoryBarrier2 to_host(vk::PipelineStageFlagBits2::eAllCommands,
+                                     vk::AccessFlagBits2::eMemoryWrite, vk::PipelineStageFlagBits2::eHost,
+                                     vk::AccessFlagBits2::eHostRead);
+    commands.pipelineBarrier2(vk::DependencyInfo({}, to_host));
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> find_queue_family(const std::vector<vk::QueueFamilyProperties>& families) {
@@ -84,6 +93,7 @@ double Device::run(std::string_view operation,
         commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, **timestamps_, 0);
         record(commands);
         commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, **timestamps_, 1);
+        make_visible_to_host(commands);
         commands.end();
         const vk::CommandBufferSubmitInfo buffer_info(*commands);
         queue_->submit2(vk::SubmitInfo2({}, {}, buffer_info), **fence_);
