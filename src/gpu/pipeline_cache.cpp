@@ -34,14 +34,32 @@ PipelineRecipe& PipelineRecipe::add_stage(std::span<const std::uint32_t> spirv,
     return *this;
 }
 
-PipelineCache::PipelineCache() = default;
+PipelineCache::PipelineCache(std::size_t most) : most_(most) {}
 PipelineCache::~PipelineCache() = default;
 
 std::shared_ptr<const Pipeline> PipelineCache::find_or_make(const PipelineRecipe& recipe,
                                                             const std::function<Pipeline()>& make) {
-    std::shared_ptr<const Pipeline>& pipeline = pipelines_[recipe];
-    if (!pipeline) pipeline = std::make_shared<const Pipeline>(make());
-    return pipeline;
+    ++calls_;
+    if (const auto found = pipelines_.find(recipe); found != pipelines_.end()) {
+        found->second.asked_for = calls_;
+        return found->second.pipeline;
+    }
+    auto made = std::make_shared<const Pipeline>(make());
+    pipelines_.emplace(recipe, Kept{made, calls_});
+    drop_unheld();
+    return made;
+}
+
+void PipelineCache::drop_unheld() {
+    while (pipelines_.size() > most_) {
+        auto oldest = pipelines_.end();
+        for (auto it = pipelines_.begin(); it != pipelines_.end(); ++it) {
+            if (it->second.pipeline.use_count() > 1) continue;
+            if (oldest == pipelines_.end() || it->second.asked_for < oldest->second.asked_for) oldest = it;
+        }
+        if (oldest == pipelines_.end()) return;
+        pipelines_.erase(oldest);
+    }
 }
 
 }  // namespace utsuri

@@ -3,6 +3,7 @@
 
 #include "gpu/pipeline_interface.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -37,22 +38,37 @@ class PipelineRecipe {
     std::vector<std::uint32_t> words_;
 };
 
-/// Pipelines of a device, kept as long as it is: what several renderers need, or one that is made anew as its
-/// scene changes, is compiled once.
+/// Pipelines that a device keeps: more than all methods of a scene with everything in it take together
+/// (tests/extremes/pipelines_test.cpp), so that what goes is of scenes before. Constants of pipelines follow
+/// from scenes, such as the number of lights: without a bound each new one would leave its own behind.
+inline constexpr std::size_t kMostPipelines = 256;
+
+/// Pipelines of a device: what several renderers need, or one that is made anew as its scene changes, is
+/// compiled once.
 class PipelineCache {
   public:
-    PipelineCache();
+    /// @param most pipelines kept; beyond that, those go that nothing else holds, first what was asked for
+    /// longest ago
+    explicit PipelineCache(std::size_t most = kMostPipelines);
     PipelineCache(const PipelineCache&) = delete;
     PipelineCache& operator=(const PipelineCache&) = delete;
     ~PipelineCache();
 
-    /// @param make is called if there is no pipeline of that recipe yet
+    /// @param make is called if there is no pipeline of that recipe; what it throws is passed on
     std::shared_ptr<const Pipeline> find_or_make(const PipelineRecipe& recipe,
                                                  const std::function<Pipeline()>& make);
     [[nodiscard]] std::size_t size() const { return pipelines_.size(); }
 
   private:
-    std::map<PipelineRecipe, std::shared_ptr<const Pipeline>> pipelines_;
+    struct Kept {
+        std::shared_ptr<const Pipeline> pipeline;
+        std::uint64_t asked_for;  ///< at this count of calls
+    };
+    void drop_unheld();
+
+    std::size_t most_;
+    std::uint64_t calls_ = 0;
+    std::map<PipelineRecipe, Kept> pipelines_;
 };
 
 }  // namespace utsuri
