@@ -116,19 +116,25 @@ std::vector<DeviceSummary> matching(const std::vector<DeviceSummary>& devices, s
     return result;
 }
 
+/// None without a driver, which the loader reports as a failed initialization.
+std::optional<vk::raii::PhysicalDevices> physical_devices(const vk::raii::Instance& instance) {
+    try {
+        return std::make_optional<vk::raii::PhysicalDevices>(instance);
+    } catch (const vk::InitializationFailedError&) {
+        return std::nullopt;
+    }
+}
+
 }  // namespace
 
 std::vector<DeviceSummary> list_devices(const VulkanInstance& instance) {
-    std::vector<DeviceSummary> result;
-    try {
-        const vk::raii::PhysicalDevices devices(instance.handle());
-        for (std::size_t i = 0; i < devices.size(); ++i)
-            result.push_back(summarise(devices[i], i));
-    } catch (const vk::SystemError&) {
-        // The loader reports "no driver" as a failed initialization: that is an empty list.
-        return {};
-    }
-    return result;
+    return vulkan_call("list Vulkan devices", "", [&] {
+        std::vector<DeviceSummary> result;
+        const std::optional<vk::raii::PhysicalDevices> devices = physical_devices(instance.handle());
+        for (std::size_t i = 0; devices && i < devices->size(); ++i)
+            result.push_back(summarise((*devices)[i], i));
+        return result;
+    });
 }
 
 DeviceSummary choose_device(const VulkanInstance& instance, std::string_view wanted) {

@@ -26,7 +26,8 @@ struct DeviceSummary {
     [[nodiscard]] bool usable() const { return missing.empty(); }
 };
 
-/// All devices, in the loader's order.
+/// All devices, in the loader's order; none without a driver.
+/// @throws DeviceError if they cannot be listed
 std::vector<DeviceSummary> list_devices(const VulkanInstance& instance);
 
 /// The device to use.

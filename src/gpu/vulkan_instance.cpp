@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/vulkan_instance.h"
 
+#include "base/error.h"
 #include "gpu/vulkan_call.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
 
 namespace utsuri {
 namespace {
@@ -37,21 +43,32 @@ bool has_extension(const std::vector<vk::ExtensionProperties>& available, const 
     });
 }
 
+constexpr std::string_view kConnect = "connect to Vulkan";
+
+/// Finds the Vulkan loader, a library that machines without drivers may lack.
+vk::raii::Context open_loader() {
+    try {
+        return {};
+    } catch (const std::runtime_error& error) {
+        throw DeviceError(kConnect, "",
+                          fmt::format("the Vulkan loader cannot be loaded ({}); install it (Debian package "
+                                      "libvulkan1) with a driver for your device",
+                                      error.what()));
+    }
+}
+
 /// Failures that a user can mend say how.
 vk::raii::Instance create_instance(const vk::raii::Context& context, const vk::InstanceCreateInfo& info) {
-    constexpr std::string_view kOperation = "connect to Vulkan";
-    return vulkan_call(kOperation, "", [&] {
-        try {
-            return vk::raii::Instance(context, info);
-        } catch (const vk::IncompatibleDriverError&) {
-            throw DeviceError(kOperation, "", kNoDriver);
-        } catch (const vk::LayerNotPresentError&) {
-            throw DeviceError(
-                kOperation, kValidationLayer,
-                "the layer is not installed; install it (Debian package vulkan-validationlayers) or turn "
-                "validation off");
-        }
-    });
+    try {
+        return {context, info};
+    } catch (const vk::IncompatibleDriverError&) {
+        throw DeviceError(kConnect, "", kNoDriver);
+    } catch (const vk::LayerNotPresentError&) {
+        throw DeviceError(
+            kConnect, kValidationLayer,
+            "the layer is not installed; install it (Debian package vulkan-validationlayers) or turn "
+            "validation off");
+    }
 }
 
 }  // namespace
@@ -66,12 +83,21 @@ std::vector<std::string> ValidationMessages::take() {
     return std::exchange(messages_, {});
 }
 
-VulkanInstance::VulkanInstance(Validation validation) {
+VulkanInstance::VulkanInstance(Validation validation) : context_(open_loader()) {
+    vulkan_call(kConnect, "", [&] { connect(validation); });
+}
+
+void VulkanInstance::connect(Validation validation) {
     const auto extensions = context_.enumerateInstanceExtensionProperties();
     std::vector<const char*> enabled;
     vk::InstanceCreateFlags flags;
     debug_utils_ = has_extension(extensions, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     if (debug_utils_) enabled.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    if (validation == Validation::on && !debug_utils_) {
+        throw DeviceError(kConnect, VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
+                          "the Vulkan loader lacks it, and nobody would hear the validation layer; install a "
+                          "newer loader (Debian package libvulkan1) or turn validation off");
+    }
     // Drivers that map Vulkan onto another API (MoltenVK) are only listed to those who ask for them.
     if (has_extension(extensions, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME)) {
         enabled.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
@@ -87,12 +113,12 @@ VulkanInstance::VulkanInstance(Validation validation) {
     vk::StructureChain<vk::InstanceCreateInfo, vk::DebugUtilsMessengerCreateInfoEXT,
                        vk::ValidationFeaturesEXT>
         chain(info, messenger_info(messages_.get()), vk::ValidationFeaturesEXT(synchronization));
-    if (validation == Validation::off || !debug_utils_) {
+    if (validation == Validation::off) {
         chain.unlink<vk::DebugUtilsMessengerCreateInfoEXT>();
         chain.unlink<vk::ValidationFeaturesEXT>();
     }
     instance_ = create_instance(context_, chain.get<vk::InstanceCreateInfo>());
-    if (validation == Validation::on && debug_utils_) {
+    if (validation == Validation::on) {
         messenger_.emplace(*instance_, messenger_info(messages_.get()));
     }
 }

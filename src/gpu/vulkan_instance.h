@@ -30,7 +30,8 @@ class ValidationMessages {
 class VulkanInstance {
   public:
     /// @param validation `on` needs the Khronos validation layer and watches synchronization too
-    /// @throws DeviceError if there is no Vulkan loader or driver, or the layer is missing
+    /// @throws DeviceError if there is no Vulkan loader or driver, the layer is missing, or its messages
+    /// could not be heard
     explicit VulkanInstance(Validation validation = Validation::off);
     VulkanInstance(const VulkanInstance&) = delete;
     VulkanInstance& operator=(const VulkanInstance&) = delete;
@@ -41,6 +42,8 @@ class VulkanInstance {
     [[nodiscard]] bool has_debug_names() const { return debug_utils_; }
 
   private:
+    void connect(Validation validation);
+
     std::unique_ptr<ValidationMessages> messages_ = std::make_unique<ValidationMessages>();
     vk::raii::Context context_;
     bool debug_utils_ = false;

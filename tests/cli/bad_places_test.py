@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Outputs that cannot be written (exit code 3) and devices that cannot be used (exit code 4)."""
 import pathlib
+import sys
 import unittest
 
 import gltf_scene
@@ -61,6 +62,14 @@ class BadPlaces(CliCase):
                 self.fail_with(DEVICE, words, "render", "scene.glb", "-o", "picture.exr",
                                environment=environment)
                 self.fail_with(DEVICE, words, "compare", "scene.glb", "-o", "folder", environment=environment)
+
+    @unittest.skipUnless(sys.platform == "linux", "other systems look for the loader elsewhere")
+    def test_no_loader(self):
+        # What the program finds first under the loader's names is none.
+        for name in ("libvulkan.so", "libvulkan.so.1"):
+            (self.scratch / name).write_text("no library")
+        self.fail_with(DEVICE, ("connect to Vulkan", "loader cannot be loaded", "libvulkan1"), "devices",
+                       environment={"LD_LIBRARY_PATH": str(self.scratch)})
 
     def test_scenes_and_pictures_need_no_device(self):
         self.succeed("render", "scene.glb", "-o", "picture.png", *SMALL)
