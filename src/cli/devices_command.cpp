@@ -6,6 +6,7 @@
 #include "compare/comparison/comparison_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <memory>

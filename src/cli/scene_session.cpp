@@ -5,6 +5,7 @@
 #include "base/stopwatch.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cstdlib>

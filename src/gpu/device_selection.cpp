@@ -6,6 +6,7 @@
 #include "gpu/vulkan_call.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>

@@ -6,6 +6,7 @@
 #include "compare/trade/trade_front.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <string_view>
 
