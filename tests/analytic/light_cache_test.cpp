@@ -257,6 +257,23 @@ TEST(LightCachePlan, SpendsNothingOnTheWidthOfSlats) {
     EXPECT_LE(light_cache_points(plan), 410u);
 }
 
+// Its diagonal is 0, and so is the spacing.
+TEST(LightCachePlan, HasOneIntervalForEachTriangleOfASceneThatIsOnePoint) {
+    Mesh mesh;
+    mesh.positions.assign(3, glm::vec3(1, 2, 3));
+    mesh.normals.assign(3, glm::vec3(0, 0, 1));
+    mesh.triangles = {{0, 1, 2}};
+    Scene scene;
+    add(scene, mesh, lambert(glm::vec3(0.5f)));
+    for (const std::uint64_t most : {std::uint64_t{1}, std::uint64_t{1} << 24}) {
+        const auto plan = plan_light_cache(prepare_scene_data(scene), 0.01, most);
+        ASSERT_EQ(plan.size(), 1u);
+        EXPECT_EQ(plan[0].intervals, 1u);
+        EXPECT_EQ(plan[0].rows_per_interval, 1u);
+        EXPECT_EQ(light_cache_points(plan), 3u);
+    }
+}
+
 TEST(LightCachePlan, PassesOverWhatReflectsNothingDiffusely) {
     Scene scene;
     add(scene, ground(2.0f), mirror());

@@ -13,6 +13,15 @@ namespace {
 /// Intervals along an edge, at most: their points are numbered within 32 bits.
 constexpr double kMostIntervals = 32768.0;
 
+/// Points that are too many are thinned by so much more than it takes: intervals are whole, so that fewer go
+/// than the square of their length tells, and without it the plan would near its bound in many small steps.
+constexpr double kSparePoints = 1.1;
+
+/// Whole intervals over a length that are no longer than `spacing`. Both are 0 in a scene that is one point.
+double intervals_over(double length, double spacing) {
+    return length > spacing ? std::min(std::ceil(length / spacing), kMostIntervals) : 1.0;
+}
+
 /// Rows over a triangle that keep neighbours in and across rows within `spacing`.
 interop::LightCacheTriangle plan_rows(const interop::BvhTriangle& triangle, double spacing) {
     const std::array<glm::dvec3, 3> corners = {glm::dvec3(triangle.v0), glm::dvec3(triangle.v1),
@@ -23,8 +32,8 @@ interop::LightCacheTriangle plan_rows(const interop::BvhTriangle& triangle, doub
     const auto apex =
         static_cast<std::size_t>(std::min_element(opposite.begin(), opposite.end()) - opposite.begin());
     const double longest = *std::max_element(opposite.begin(), opposite.end());
-    const double intervals = std::clamp(std::ceil(opposite[apex] / spacing), 1.0, kMostIntervals);
-    const double rows = std::clamp(std::ceil(longest / (spacing * intervals)), 1.0, kMostIntervals);
+    const double intervals = intervals_over(opposite[apex], spacing);
+    const double rows = intervals_over(longest, spacing * intervals);
     return {0, static_cast<std::uint32_t>(intervals), static_cast<std::uint32_t>(rows),
             static_cast<std::uint32_t>(apex)};
 }
@@ -72,7 +81,7 @@ std::vector<interop::LightCacheTriangle> plan_light_cache(const SceneData& data,
         const std::uint64_t points = light_cache_points(planned);
         // One interval a triangle is the least there is; the buffer then says that it does not fit.
         if (points <= most_points || distance >= diagonal) return planned;
-        distance *= std::sqrt(1.1 * static_cast<double>(points) / static_cast<double>(most_points));
+        distance *= std::sqrt(kSparePoints * static_cast<double>(points) / static_cast<double>(most_points));
     }
 }
 
