@@ -61,8 +61,9 @@ int run(int argc, char** argv) {
     add_devices_command(app, action);
     app.footer(
         "Exit codes: 0 success, 1 images differ, 2 wrong usage, 3 bad input, 4 no usable device, 130 "
-        "interrupted.\nEnvironment: UTSURI_DEVICE chooses the device, UTSURI_VALIDATION=1 turns Vulkan "
-        "validation on.");
+        "interrupted.\nCtrl-C ends work after the sample or map at hand and keeps what is finished; a second "
+        "one ends it at once.\nEnvironment: UTSURI_DEVICE chooses the device, UTSURI_VALIDATION=1 turns "
+        "Vulkan validation on.");
     check_subcommand(app, argc, argv);
     try {
         app.parse(argc, argv);

@@ -20,8 +20,11 @@ namespace {
 // A signal handler can reach nothing but a variable like this.
 volatile std::sig_atomic_t interrupt_requested = 0;
 
+/// The first Ctrl-C asks work to end. Some work does not come to a place where it may for long, such as the
+/// build of a BVH or one sample of a large picture, so that the next Ctrl-C kills.
 void on_interrupt(int) {
     interrupt_requested = 1;
+    std::signal(SIGINT, SIG_DFL);
 }
 
 bool is_terminal() {
@@ -37,7 +40,7 @@ constexpr const char* kEraseLine = "\r\033[K";
 }  // namespace
 
 ProgressLine::ProgressLine(bool quiet) : visible_(!quiet && is_terminal()) {
-    std::signal(SIGINT, on_interrupt);
+    if (interrupt_requested == 0) std::signal(SIGINT, on_interrupt);
 }
 
 ProgressLine::~ProgressLine() {

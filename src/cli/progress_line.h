@@ -9,7 +9,7 @@
 namespace utsuri {
 
 /// One line on standard error, if that is a terminal, that tells the stage, how much is done and the time
-/// left. While one of these lives, Ctrl-C cancels instead of killing.
+/// left. While one of these lives, the first Ctrl-C cancels instead of killing.
 class ProgressLine : public Progress {
   public:
     explicit ProgressLine(bool quiet);

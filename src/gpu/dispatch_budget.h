@@ -6,8 +6,8 @@
 namespace utsuri {
 
 /// Decides how much work goes into the next dispatch, so that each takes about `seconds`: well under the time
-/// after which drivers reset a device (2 s on Windows), and short enough for progress and Ctrl-C to be
-/// prompt.
+/// after which drivers reset a device (2 s on Windows), and short enough for small pictures to show progress
+/// and heed Ctrl-C between dispatches. A sample of a large picture takes many, and is not left half done.
 class DispatchBudget {
   public:
     explicit DispatchBudget(double seconds = 0.1) : seconds_(seconds) {}

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Ctrl-C during long work: exit code 130, with what was finished saved. The work is followed by the progress
-line, which the program shows on a terminal, so that no test has to guess how long a machine takes."""
+"""Ctrl-C during long work: exit code 130, with what was finished saved; a second one kills. The work is followed
+by the progress line, which the program shows on a terminal, so that no test has to guess how long a machine
+takes."""
 import os
 import re
 import select
@@ -61,6 +62,25 @@ class Interrupt(CliCase):
         self.succeed("render", self.scene("cornell"), "-o", "again.exr", *SMALL, "--spp", values["samples"])
         self.assertEqual(self.json_of("diff", "again.exr", "picture.exr")["metrics"]["max"], 0.0)
         self.assertNotIn("%", shown.rsplit(ERASE_LINE, 1)[1])
+
+    def test_second_one_ends_work_that_does_not_stop(self):
+        # Opening a pipe that nobody reads takes forever: work that comes to no place where it may stop.
+        os.mkfifo(self.scratch / "result.partial.json")
+        process = subprocess.Popen([self.program, "render", self.scene("cornell"), "-o", "picture.exr", "--json",
+                                    "result.json", *SMALL, "--spp", "1"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=self.scratch)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        last = time.monotonic() + TIMEOUT_SECONDS
+        while not (self.scratch / "picture.exr").exists():  # the result is written after the picture
+            self.assertIsNone(process.poll())
+            self.assertLess(time.monotonic(), last)
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        with self.assertRaises(subprocess.TimeoutExpired, msg="one is a request"):
+            process.wait(timeout=1.0)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=TIMEOUT_SECONDS), -signal.SIGINT)
 
     def test_render_with_time_and_png(self):
         self.interrupt(r"direct/trace: \d+ %", "render", self.scene("cornell"), "-o", "picture.png", *SMALL,
