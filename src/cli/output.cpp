@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/output.h"
 
+#include "compare/page/json_text.h"
+
 #include "base/file.h"
 
 #include <fmt/format.h>
@@ -12,7 +14,7 @@ namespace utsuri {
 
 void write_json(const CommonOptions& options, const nlohmann::ordered_json& json) {
     if (options.json.empty()) return;
-    const std::string text = json.dump(2) + "\n";
+    const std::string text = json_text(json, 2) + "\n";
     if (options.json == "-") {
         std::fputs(text.c_str(), stdout);
     } else {

@@ -48,14 +48,14 @@ SOURCE_ROOMS = [
     Room("image_io", "pictures in files: OpenImageIO, nowhere else", ["base", "image", "scene/texture.h"]),
     Room("import/document", "a glTF file: parsed, held against the schema, its buffers read", SCENE),
     Room("import/scene", "glTF to Scene", SCENE + ["image_io", "import/document"]),
-    Room("compare/page", "what the pages written have in common", ["base"]),
+    Room("compare/page", "what the pages and files written have in common", ["base"]),
     Room("compare/comparison", "methods measured against a reference: table, .json, report.html",
          PICTURES + ["compare/page", "renderers/film", "renderers/methods", "session"]),
     Room("compare/trade", "time against error over settings: sweep, front, table, .json, page",
          PICTURES + ["compare/page", "compare/comparison"]),
     Room("cli", "one file per subcommand, exit codes; no algorithm",
-         PICTURES + ["import/scene", "compare/comparison", "compare/trade", "session", "renderers/film", "renderers/light",
-                     "renderers/methods"] + reflection("maps", "distances", "glossy")),
+         PICTURES + ["import/scene", "compare/page", "compare/comparison", "compare/trade", "session", "renderers/film",
+                     "renderers/light", "renderers/methods"] + reflection("maps", "distances", "glossy")),
 ]
 
 KERNELS = "kernels/"

@@ -4,6 +4,7 @@
 #include "compare/comparison/comparison_json.h"
 #include "compare/comparison/reflection_pictures.h"
 #include "compare/page/html_page.h"
+#include "compare/page/json_text.h"
 #include "compare/page/page_files.h"
 
 #include "image/error_map.h"

@@ -4,6 +4,7 @@
 #include "compare/comparison/comparison_json.h"
 #include "compare/comparison/reflection_pictures.h"
 #include "compare/comparison/report.h"
+#include "compare/page/json_text.h"
 
 #include "base/file.h"
 #include "base/version.h"
@@ -41,7 +42,7 @@ void write_comparison(const Comparison& comparison, const std::filesystem::path&
     write_pictures(comparison.reference, comparison, folder);
     for (const MethodResult& result : comparison.methods)
         write_pictures(result, comparison, folder);
-    write_text_atomically(folder / "compare.json", comparison_to_json(comparison).dump(2) + "\n");
+    write_text_atomically(folder / "compare.json", json_text(comparison_to_json(comparison), 2) + "\n");
     write_text_atomically(folder / "report.html", make_report(comparison));
 }
 

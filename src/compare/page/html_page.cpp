@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/page/html_page.h"
 
+#include "compare/page/json_text.h"
+
 #include "base/check.h"
 
 #include <fmt/format.h>
@@ -60,11 +62,7 @@ std::string script_safe(const Json& json) {
     // JSON has these characters only inside strings, where they may be written as escapes.
     constexpr std::array<std::pair<char, std::string_view>, 3> kEscapes = {
         {{'<', "\\u003c"}, {'>', "\\u003e"}, {'&', "\\u0026"}}};
-    return replace_each(json.dump(-1, ' ', false, Json::error_handler_t::replace), kEscapes);
-}
-
-std::string valid_utf8(const std::string& text) {
-    return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+    return replace_each(json_text(json, -1), kEscapes);
 }
 
 std::string html_text(std::string_view source) {

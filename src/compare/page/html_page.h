@@ -19,9 +19,6 @@ std::string data_uri(std::string_view media_type, std::span<const std::byte> byt
 /// JSON for a script element: no string in it can end that element. What is not UTF-8 becomes U+FFFD.
 std::string script_safe(const nlohmann::ordered_json& json);
 
-/// Bytes that are not UTF-8 replaced by U+FFFD. A path may hold some.
-std::string valid_utf8(const std::string& text);
-
 /// Text with the characters that HTML gives a meaning written as entities.
 std::string html_text(std::string_view text);
 

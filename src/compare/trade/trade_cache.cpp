@@ -2,7 +2,7 @@
 #include "compare/trade/trade_cache.h"
 
 #include "compare/comparison/comparison_json.h"
-#include "compare/page/html_page.h"
+#include "compare/page/json_text.h"
 #include "compare/trade/trade_json.h"
 #include "compare/trade/trade_sweep.h"
 
@@ -118,7 +118,7 @@ Json trade_key(const Session& session, const Camera& camera, const ComparisonSet
 
 std::filesystem::path trade_file(const std::filesystem::path& folder, const Json& key) {
     ContentHash hash;
-    const std::string text = key.dump();
+    const std::string text = json_text(key, -1);
     hash.add_bytes(std::as_bytes(std::span(text)));
     return folder / fmt::format("trade-{}.json", hash.text());
 }
@@ -140,7 +140,7 @@ std::optional<Trade> read_kept_trade(const std::filesystem::path& file, const Js
 void keep_trade(const std::filesystem::path& file, const Json& key, const Trade& trade) {
     make_output_folder(file.parent_path());
     const Json json = {{"key", key}, {"trade", trade_to_json(trade)}};
-    write_text_atomically(file, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_text_atomically(file, json_text(json, 1) + "\n");
 }
 
 }  // namespace utsuri

@@ -2,6 +2,7 @@
 #include "compare/trade/trade_page.h"
 
 #include "compare/page/html_page.h"
+#include "compare/page/json_text.h"
 #include "compare/page/page_files.h"
 #include "compare/trade/error_metric.h"
 #include "compare/trade/trade_equal.h"
@@ -86,8 +87,7 @@ std::string make_trade_page(const Trade& trade, std::string_view metric) {
 }
 
 void write_trade(const Trade& trade, std::string_view metric, const std::filesystem::path& folder) {
-    const std::string json = trade_to_json(trade).dump(2, ' ', false, Json::error_handler_t::replace);
-    write_text_atomically(folder / "trade.json", json + "\n");
+    write_text_atomically(folder / "trade.json", json_text(trade_to_json(trade), 2) + "\n");
     write_text_atomically(folder / "trade.html", make_trade_page(trade, metric));
 }
 
