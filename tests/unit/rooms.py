@@ -38,7 +38,7 @@ SOURCE_ROOMS = [
     Room(REFLECTION + "distances", "distances and radiance about capture points, bounded over blocks",
          BELOW_REFLECTION + ["renderers/light"] + reflection("reflectors", "maps")),
     Room(REFLECTION + "glossy", "maps convolved with glossy lobes",
-         BELOW_REFLECTION + ["renderers/light"] + reflection("reflectors", "proxies")),
+         BELOW_REFLECTION + ["renderers/light"] + reflection("reflectors", "proxies", "maps")),
     Room(REFLECTION + "raster", "drawing: frames, reflectors, predicted errors", BELOW_REFLECTION + reflection("reflectors")),
     Room(REFLECTION + "planar", "plane mirrors and their images", BELOW_REFLECTION + reflection("reflectors", "raster")),
     Room("renderers/methods", "light x reflection: the list of methods, and what renders each",

@@ -4,12 +4,10 @@
 #include "gpu/budgeted_run.h"
 
 #include "interop/bindings.h"
-#include "interop/reflection.h"
+#include "interop/frame.h"
 #include "interop/specialization.h"
 #include "kernels/halve_map.h"
 #include "kernels/prefilter_map.h"
-#include "kernels/resolve_map.h"
-#include "kernels/trace_kept.h"
 
 #include <bit>
 
@@ -19,7 +17,7 @@ namespace {
 constexpr std::uint32_t kFaces = interop::GLOSSY_MAP_FACES;
 
 /// Texels before a level of what is captured, whose edge halves from level to level.
-std::uint32_t first_of_level(std::uint32_t size, std::uint32_t level) {
+std::uint32_t first_of_source_level(std::uint32_t size, std::uint32_t level) {
     const std::uint32_t at_level = size >> level;
     return 8 * (size * size - at_level * at_level);
 }
@@ -34,21 +32,8 @@ interop::CameraInfo face_camera(const glm::vec3& point, std::uint32_t face) {
     return {point, axis(1), -axis(2), face % 2 == 0 ? axis(0) : -axis(0)};
 }
 
-Specialization capture_constants(const GpuScene& scene) {
-    Specialization constants = scene.specialization();
-    constants[interop::SPEC_EXCLUDES_INSTANCE] = 1;
-    constants[interop::SPEC_PROJECTION] = interop::PROJECTION_PERSPECTIVE;
-    return constants;
-}
-
 Specialization convolve_constants(const ConvolvedMaps& maps) {
     return {{interop::SPEC_KEEPS_DISTANCES, maps.keeps_distances ? 1u : 0u}};
-}
-
-Bindings scene_bindings(const GpuScene& scene, const SurfaceLight& light) {
-    Bindings bindings = scene.bindings();
-    bindings.merge(light.bindings());
-    return bindings;
 }
 
 }  // namespace
@@ -59,15 +44,14 @@ std::uint64_t prefiltered_texels(std::uint32_t level_size) {
 }
 
 std::uint64_t MapPrefilter::source_texels(std::uint32_t size) {
-    return std::uint64_t{first_of_level(size, static_cast<std::uint32_t>(std::bit_width(size)) - 1)} + kFaces;
+    return std::uint64_t{first_of_source_level(size, static_cast<std::uint32_t>(std::bit_width(size)) - 1)} +
+           kFaces;
 }
 
 MapPrefilter::MapPrefilter(Device& device, const GpuScene& scene, const SurfaceLight& light,
                            const ConvolvedMaps& maps, std::uint32_t largest_source)
     : device_(device),
-      tracer_(device, "trace_kept", kernels::trace_kept, capture_constants(scene),
-              scene_bindings(scene, light)),
-      resolver_(device, "resolve_map", kernels::resolve_map, {}, sizeof(interop::ResolveMapPush)),
+      tracer_(device, scene, light, interop::PROJECTION_PERSPECTIVE),
       halver_(device, "halve_map", kernels::halve_map, convolve_constants(maps),
               sizeof(interop::HalveMapPush)),
       convolver_(device, "prefilter_map", kernels::prefilter_map, convolve_constants(maps),
@@ -86,10 +70,8 @@ MapPrefilter::MapPrefilter(Device& device, const GpuScene& scene, const SurfaceL
 
 void MapPrefilter::warm_up() {
     Film film(device_, interop::TILE_SIZE, interop::TILE_SIZE, "warm-up film");
-    tracer_.warm_up(film);
-    const BindingSet set = resolver_.bind(resolve_bindings(film.bands().front()));
+    tracer_.warm_up(film, source_);
     device_.run("compile kernels", [&](const vk::raii::CommandBuffer& commands) {
-        resolver_.dispatch(commands, set, interop::ResolveMapPush{}, 1);
         halver_.dispatch(commands, halve_set_, interop::HalveMapPush{}, 1);
         convolver_.dispatch(commands, convolve_set_, interop::PrefilterMapPush{}, 1);
     });
@@ -100,29 +82,19 @@ FrameCounts MapPrefilter::capture(const glm::vec3& point, std::uint32_t size, Fr
                                   std::uint32_t samples) {
     FrameCounts counts;
     Film film(device_, size, size, "glossy map film");
-    Progress silent;
     const std::uint32_t seed = frame.seed;
     for (std::uint32_t face = 0; face < kFaces; ++face) {
-        film.clear();
         frame.camera = face_camera(point, face);
         frame.seed = seed + face;
-        accumulate(counts, tracer_.add_samples(film, frame, samples, silent));
-        for (const Film::Band& band : film.bands()) {
-            const BindingSet set = resolver_.bind(resolve_bindings(band));
-            const interop::ResolveMapPush push{size * band.rows, (face * size + band.first_row) * size,
-                                               samples};
-            counts.gpu_seconds += device_.run("resolve a map", [&](const vk::raii::CommandBuffer& commands) {
-                resolver_.dispatch(commands, set, push, group_count(push.texels));
-            });
-        }
+        accumulate(counts, tracer_.trace(film, frame, samples, source_, face * size * size));
     }
     if (measurer_) accumulate(counts, measurer_->measure(point, size, frame.excluded_instance));
     counts.gpu_seconds += device_.run("halve maps", [&](const vk::raii::CommandBuffer& commands) {
         for (std::uint32_t level = 1; size >> level > 0; ++level) {
             const std::uint32_t edge = size >> level;
             halver_.dispatch_over(commands, halve_set_,
-                                  interop::HalveMapPush{first_of_level(size, level - 1),
-                                                        first_of_level(size, level), edge, 0, 0},
+                                  interop::HalveMapPush{first_of_source_level(size, level - 1),
+                                                        first_of_source_level(size, level), edge, 0, 0},
                                   kFaces * edge * edge);
         }
     });
@@ -132,10 +104,6 @@ FrameCounts MapPrefilter::capture(const glm::vec3& point, std::uint32_t size, Fr
 double MapPrefilter::convolve(const interop::PrefilterMapPush& push) {
     return run_in_budget(device_, "prefilter maps", convolver_, convolve_set_, push,
                          static_cast<std::uint32_t>(prefiltered_texels(push.size)), budget_);
-}
-
-Bindings MapPrefilter::resolve_bindings(const Film::Band& band) const {
-    return {{interop::BINDING_FILM, &band.pixels}, {interop::BINDING_MAP_TEXELS, &source_}};
 }
 
 }  // namespace utsuri

@@ -4,6 +4,7 @@
 #include "renderers/film/film_kernel.h"
 #include "renderers/light/surface_light.h"
 #include "renderers/reflection/glossy/inverse_distance_kernel.h"
+#include "renderers/reflection/maps/texel_tracer.h"
 #include "renderers/scene/gpu_scene.h"
 
 #include "gpu/dispatch_budget.h"
@@ -55,11 +56,8 @@ class MapPrefilter {
     static std::uint64_t source_texels(std::uint32_t size);
 
   private:
-    [[nodiscard]] Bindings resolve_bindings(const Film::Band& band) const;
-
     Device& device_;
-    FilmKernel tracer_;
-    Kernel resolver_;
+    TexelTracer tracer_;
     Kernel halver_;
     Kernel convolver_;
     Buffer source_;

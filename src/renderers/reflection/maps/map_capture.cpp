@@ -3,31 +3,11 @@
 
 #include "base/stopwatch.h"
 
-#include "interop/bindings.h"
-#include "interop/specialization.h"
-#include "kernels/resolve_map.h"
-#include "kernels/trace_kept.h"
+#include "interop/frame.h"
 
 #include <algorithm>
 
 namespace utsuri {
-namespace {
-
-Specialization tracing_specialization(const GpuScene& scene, MapKind kind) {
-    Specialization specialization = scene.specialization();
-    specialization[interop::SPEC_EXCLUDES_INSTANCE] = 1;
-    specialization[interop::SPEC_PROJECTION] =
-        kind == MapKind::sphere ? interop::PROJECTION_SPHERE_MAP : interop::PROJECTION_PERSPECTIVE;
-    return specialization;
-}
-
-Bindings tracing_bindings(const GpuScene& scene, const SurfaceLight& light) {
-    Bindings bindings = scene.bindings();
-    bindings.merge(light.bindings());
-    return bindings;
-}
-
-}  // namespace
 
 MapCapture::MapCapture(Device& device, const GpuScene& scene, const SurfaceLight& light, ReflectionMaps& maps,
                        const RenderSettings& settings, const MapSettings& map_settings)
@@ -45,11 +25,10 @@ void MapCapture::prepare(const Camera& eye, RenderStatistics& statistics) {
     if (statistics.maps == 0) return;
     const Stopwatch stopwatch;
     maps_.orient_to(eye);
-    tracer_.emplace(device_, "trace_kept", kernels::trace_kept, tracing_specialization(scene_, maps_.kind()),
-                    tracing_bindings(scene_, light_));
-    resolver_.emplace(device_, "resolve_map", kernels::resolve_map, Specialization{},
-                      sizeof(interop::ResolveMapPush));
-    tracer_->warm_up(film_of(maps_.stride(0)));
+    tracer_.emplace(
+        device_, scene_, light_,
+        maps_.kind() == MapKind::sphere ? interop::PROJECTION_SPHERE_MAP : interop::PROJECTION_PERSPECTIVE);
+    tracer_->warm_up(film_of(maps_.stride(0)), maps_.texels());
     statistics.compile_seconds += stopwatch.seconds();
     if (captures_all_) maps_.want_all();
 }
@@ -81,32 +60,14 @@ Film& MapCapture::film_of(std::uint32_t edge) {
 
 FrameCounts MapCapture::capture(std::uint32_t map) {
     const std::uint32_t probe = map / maps_.maps_per_probe();
-    const std::uint32_t stride = maps_.stride(probe);
-    Film& film = film_of(stride);
-    film.clear();
     FrameSettings frame;
     frame.camera = maps_.map_camera(map);
     // Any odd multiple of the map's number keeps the samples of maps and picture apart.
     frame.seed = settings_.seed ^ (0x9e3779b9u * (map + 1));
     frame.max_depth = std::min(settings_.max_depth, scene_.max_depth());
     frame.excluded_instance = maps_.reflectors().instances[maps_.probes()[probe].reflector];
-    Progress silent;
-    FrameCounts counts = tracer_->add_samples(film, frame, samples_, silent);
-
-    const Bindings bindings = maps_.bindings();
-    interop::ResolveMapPush push{};
-    push.samples = samples_;
-    for (const Film::Band& band : film.bands()) {
-        push.texels = stride * band.rows;
-        push.first_texel = maps_.first_texel(map) + band.first_row * stride;
-        const BindingSet set =
-            resolver_->bind({{interop::BINDING_FILM, &band.pixels},
-                             {interop::BINDING_MAP_TEXELS, bindings.at(interop::BINDING_MAP_TEXELS)}});
-        counts.gpu_seconds += device_.run("resolve a map", [&](const vk::raii::CommandBuffer& commands) {
-            resolver_->dispatch(commands, set, push, group_count(push.texels));
-        });
-    }
-    return counts;
+    return tracer_->trace(film_of(maps_.stride(probe)), frame, samples_, maps_.texels(),
+                          maps_.first_texel(map));
 }
 
 }  // namespace utsuri

@@ -6,6 +6,7 @@
 #include "renderers/film/render_statistics.h"
 #include "renderers/light/surface_light.h"
 #include "renderers/reflection/maps/reflection_maps.h"
+#include "renderers/reflection/maps/texel_tracer.h"
 #include "renderers/scene/gpu_scene.h"
 
 #include "base/progress.h"
@@ -43,8 +44,7 @@ class MapCapture {
     RenderSettings settings_;
     std::uint32_t samples_;  ///< per texel
     bool captures_all_;
-    std::optional<FilmKernel> tracer_;  ///< from prepare() on, if there are maps
-    std::optional<Kernel> resolver_;
+    std::optional<TexelTracer> tracer_;  ///< from prepare() on, if there are maps
     std::optional<Film> film_;
 };
 

@@ -62,6 +62,8 @@ class ReflectionMaps {
     [[nodiscard]] std::uint32_t stride(std::uint32_t probe) const;
     /// Where a map is among the texels.
     [[nodiscard]] std::uint32_t first_texel(std::uint32_t map) const;
+    /// Of all maps, a vec3 each.
+    [[nodiscard]] const Buffer& texels() const { return texels_; }
     [[nodiscard]] MapKind kind() const { return kind_; }
 
     [[nodiscard]] const Reflectors& reflectors() const { return reflectors_; }
