@@ -21,14 +21,15 @@ class PipelineCache;
 /// Queue family with compute and timestamps; one with graphics, too, if there is one.
 std::optional<std::uint32_t> find_queue_family(const std::vector<vk::QueueFamilyProperties>& families);
 
-/// Bytes of device memory held by buffers.
+/// Bytes of device memory held by buffers and attachments.
 struct MemoryUsage {
     std::uint64_t current = 0;
     std::uint64_t peak = 0;
 };
 
-/// A logical device with one compute queue. Work is submitted and waited for, so nothing is ever in flight
-/// when a call returns. Not copyable or movable: every buffer and kernel refers to it. One thread at a time.
+/// A logical device with one queue, which computes and, if it can, draws. Work is submitted and waited for,
+/// so nothing is ever in flight when a call returns. Not copyable or movable: every buffer and kernel refers
+/// to it. One thread at a time.
 ///
 /// Like all classes that hold Vulkan objects it is destroyed and moved in its own source file: code that
 /// vulkan_raii.hpp inlines differs with NDEBUG, and a debug build may use a release build of this library.
@@ -57,7 +58,7 @@ class Device {
     [[nodiscard]] MemoryUsage memory() const { return memory_; }
     /// Starts a new measurement: the peak becomes what is held now.
     void reset_peak_memory() { memory_.peak = memory_.current; }
-    /// Called by buffers as they take and release memory.
+    /// Called by DeviceMemory as it is taken and released.
     void note_memory(std::int64_t bytes);
 
     /// Bytes that Buffer::upload() copied since the device was opened: what it costs to follow a scene.

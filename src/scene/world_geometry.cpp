@@ -5,6 +5,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include <limits>
+
 namespace utsuri {
 namespace {
 

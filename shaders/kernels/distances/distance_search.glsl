@@ -51,10 +51,14 @@ bool is_bounded(HitInterval interval) {
     return !isinf(interval.t1) || isinf(interval.t0);
 }
 
-/// Blocks that a search looks at, at most: a few at each level on each face that the ray crosses.
+/// Blocks that a search looks at, at most. The directions to a ray span a half circle, which crosses four faces at most;
+/// these have up to 11 levels (kLargestDistanceMap), and at each a few blocks are looked at: five come to 220. A search that
+/// ends here tells no bound.
 const uint MOST_SEARCH_STEPS = 256u;
-/// Texels over which a ray may sink into a surface, at most.
+/// Texels over which a ray may sink into a surface, at most. Of faces of 256 texels they span 11 degrees: the error that is
+/// predicted for such an interval is beyond tolerances in use, so that to go on would not save a ray.
 const uint MOST_SINKING_STEPS = 32u;
+
 /// Where the search is: a texel, and a level whose block around that texel is looked at.
 struct SearchPlace {
     uint face;

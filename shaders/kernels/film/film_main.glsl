@@ -31,6 +31,7 @@ void render_pixel() {
             totals.nonfinite += 1u;
         }
     }
+    // It cannot be, and is: Mesa's software driver ends all loops of an invocation after 65535 iterations together.
     if (s < push.sample_end) totals.incomplete = 1u;
     film[slot] = state;
     count(totals);

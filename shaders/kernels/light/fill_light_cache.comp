@@ -84,6 +84,7 @@ vec3 simulate_light(Surface surface, uint side) {
         visible += taken.value;
         ++lit;
     }
+    // That samples are left cannot be, and is where the driver ended the loop: see film_main.glsl.
     count(Counters(rays, 0u, 0u, 0u, 0u, s < samples ? 1u : 0u));
     if (!SUMS_LIGHTS) return visible / float(s);
     return mix(unshadowed * visible / sampled, vec3(0.0), equal(sampled, vec3(0.0)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface that a fragment shows and the light it sends out, its mirror view excepted: diffuse light from the cache,
-// what glossy lobes reflect from maps, lights without extent excepted, which no map shows.
+// The surface that a fragment shows and the light it sends out, its mirror view excepted: diffuse light from the cache, what
+// glossy lobes reflect from maps, and their highlights of lights without extent, which no map shows.
 #ifndef UTSURI_KERNELS_RASTER_DRAWN_LIGHT
 #define UTSURI_KERNELS_RASTER_DRAWN_LIGHT
 

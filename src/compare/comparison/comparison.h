@@ -22,7 +22,7 @@ struct MethodResult {
     Method method;
     std::uint32_t samples = 0;        ///< per pixel
     std::optional<MapSettings> maps;  ///< for methods that use maps
-    double prepare_seconds = 0.0;     ///< maps captured before the first frame, pipelines excluded
+    double prepare_seconds = 0.0;     ///< light and maps before the first frame, pipelines excluded
     double compile_seconds = 0.0;     ///< pipelines
     double frame_seconds = 0.0;       ///< wall time of all samples
     double gpu_seconds = 0.0;         ///< of that, by the device's clock

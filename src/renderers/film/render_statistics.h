@@ -7,7 +7,7 @@ namespace utsuri {
 
 /// What a picture took so far.
 struct RenderStatistics {
-    double prepare_seconds = 0.0;  ///< maps and the like, pipelines excluded
+    double prepare_seconds = 0.0;  ///< light kept on surfaces, maps and the like, pipelines excluded
     double compile_seconds = 0.0;  ///< pipelines
     double frame_seconds = 0.0;    ///< wall time of the samples
     FrameCounts counts;            ///< of the samples, preparation excluded

@@ -73,7 +73,8 @@ FrameCounts GlossyMaps::capture(const GpuScene& scene, const SurfaceLight& light
     for (std::uint32_t i = 0; i < instances; ++i) {
         for (std::uint32_t probe = 0; probe < plan_.infos[i].probes; ++probe) {
             if (progress.cancelled()) throw Interrupted();
-            // Any odd multiple keeps the samples of maps and picture apart; its faces count on.
+            // The factor is odd, so that different probes begin at different seeds, none of them at the
+            // picture's; their faces count on.
             const std::uint32_t number = interop::GLOSSY_MAP_FACES * (probe * instances + i) + 1;
             const FrameSettings frame{{},
                                       settings.seed ^ (0x85ebca6bu * number),

@@ -62,7 +62,7 @@ FrameCounts MapCapture::capture(std::uint32_t map) {
     const std::uint32_t probe = map / maps_.maps_per_probe();
     FrameSettings frame;
     frame.camera = maps_.map_camera(map);
-    // Any odd multiple of the map's number keeps the samples of maps and picture apart.
+    // The factor is odd, so that different maps get different seeds; no map gets the picture's.
     frame.seed = settings_.seed ^ (0x9e3779b9u * (map + 1));
     frame.max_depth = std::min(settings_.max_depth, scene_.max_depth());
     frame.excluded_instance = maps_.reflectors().instances[maps_.probes()[probe].reflector];

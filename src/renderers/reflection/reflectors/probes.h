@@ -32,8 +32,8 @@ struct ProbeSettings {
 /// The probes of every reflector, in the order of the reflectors: the first, and as long as there may be more
 /// the one of a few dozen places on its surface that lowers the mean predicted error of what the reflector
 /// can show most, if that is by a noticeable share. Errors are predicted for rays that leave the surface all
-/// over it and in all directions: by their parallax (B1 of docs/architecture.md), and for maps with distances
-/// only where a probe does not see what the ray meets.
+/// over it and in all directions: by their parallax (docs/architecture.md, "Prediction"), and for maps with
+/// distances only where a probe does not see what the ray meets.
 /// @param reflectors instances, ascending
 std::vector<Probe> place_probes(const SceneData& scene, const std::vector<std::uint32_t>& reflectors,
                                 MapKind kind, const ProbeSettings& settings);
