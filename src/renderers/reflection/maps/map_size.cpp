@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/maps/map_size.h"
 
+#include "renderers/scene/closest_hit.h"
+
 #include "geometry/reference_intersection.h"
 
 #include <glm/geometric.hpp>
@@ -63,9 +65,7 @@ class Sights {
         SurroundingsSample sample{reflector, eye + first->t * direction,
                                   direction - 2.0 * glm::dot(direction, normal) * normal, std::nullopt};
         if (!finds_hits_) return sample;
-        const auto second = closest_hit_reference(
-            scene_.bvh, sample.place, sample.direction, kInfinity,
-            [&](std::uint32_t triangle) { return scene_.triangle_infos[triangle].instance != instance; });
+        const auto second = closest_hit_without(scene_, instance, sample.place, sample.direction, kInfinity);
         if (second) sample.hit = sample.place + second->t * sample.direction;
         return sample;
     }

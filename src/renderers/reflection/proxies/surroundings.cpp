@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/proxies/surroundings.h"
 
+#include "renderers/scene/closest_hit.h"
 #include "renderers/scene/scene_triangles.h"
 
-#include "geometry/reference_intersection.h"
 #include "geometry/view_directions.h"
 
 #include <glm/geometric.hpp>
@@ -71,10 +71,7 @@ std::vector<glm::dvec3> starts_on(const SceneData& scene, std::uint32_t instance
     const auto is_seen = [&](const glm::dvec3& place) {
         const double distance = glm::length(place);
         return !(distance > tolerance) ||
-               !closest_hit_reference(scene.bvh, point, place, 1.0 - tolerance / distance,
-                                      [&](std::uint32_t triangle) {
-                                          return scene.triangle_infos[triangle].instance != instance;
-                                      });
+               !closest_hit_without(scene, instance, point, place, 1.0 - tolerance / distance);
     };
     const auto hidden = std::stable_partition(places.begin(), places.end(), is_seen);
     if (hidden == places.begin() || hidden == places.end())
@@ -89,9 +86,8 @@ Surroundings sample_surroundings(const SceneData& scene, std::uint32_t instance,
     // Two vertices that are meant to meet, each off by its own rounding, on either side of a plane.
     Surroundings around{point, scene.bounds, 4.0 * vertex_error(scene), {}, {}};
     for (const glm::dvec3& direction : view_directions(kDirections)) {
-        const auto hit = closest_hit_reference(
-            scene.bvh, point, direction, std::numeric_limits<double>::infinity(),
-            [&](std::uint32_t triangle) { return scene.triangle_infos[triangle].instance != instance; });
+        const auto hit =
+            closest_hit_without(scene, instance, point, direction, std::numeric_limits<double>::infinity());
         if (hit) around.samples.push_back({direction, hit->t, hit->triangle});
     }
     around.starts = starts_on(scene, instance, point, around.tolerance);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/reflectors/capture_point.h"
 
+#include "renderers/scene/closest_hit.h"
 #include "renderers/scene/scene_triangles.h"
 
-#include "geometry/reference_intersection.h"
 #include "geometry/view_directions.h"
 
 #include <glm/geometric.hpp>
@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace utsuri {
@@ -21,13 +20,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kDirections = 64;
 /// Surface points of the instance that are looked at to see whether it is exposed.
 constexpr std::size_t kSurfaceSamples = 16;
-
-std::optional<ReferenceHit> look(const SceneData& scene, std::uint32_t instance, const glm::dvec3& origin,
-                                 const glm::dvec3& direction) {
-    return closest_hit_reference(scene.bvh, origin, direction, kInfinity, [&](std::uint32_t triangle) {
-        return scene.triangle_infos[triangle].instance != instance;
-    });
-}
 
 /// Whether most of a spread of points on the instance are outside other geometry. An instance whose surface
 /// sees as many backs as its centre is not buried: the scene just shows it backs, like a room modelled inside
@@ -49,10 +41,11 @@ glm::dvec3 move_out(const SceneData& scene, std::uint32_t instance, const glm::d
     glm::dvec3 best = centre;
     double best_distance = kInfinity;
     for (const glm::dvec3& direction : view_directions(kDirections)) {
-        const auto exit = look(scene, instance, centre, direction);
+        const auto exit = closest_hit_without(scene, instance, centre, direction, kInfinity);
         if (!exit || !exit->back_face || exit->t >= best_distance) continue;
         const glm::dvec3 surface = centre + exit->t * direction;
-        const auto next = look(scene, instance, surface + 1e-9 * exit->t * direction, direction);
+        const auto next =
+            closest_hit_without(scene, instance, surface + 1e-9 * exit->t * direction, direction, kInfinity);
         // Half way to what comes next, but no farther than half the object: maps are truest near it.
         const double clearance = 0.5 * std::min(next ? next->t : kInfinity, radius);
         const glm::dvec3 candidate = surface + clearance * direction;
@@ -68,7 +61,7 @@ glm::dvec3 move_out(const SceneData& scene, std::uint32_t instance, const glm::d
 bool is_inside_geometry(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point) {
     int backs = 0;
     for (const glm::dvec3& direction : view_directions(kDirections)) {
-        const auto hit = look(scene, instance, point, direction);
+        const auto hit = closest_hit_without(scene, instance, point, direction, kInfinity);
         if (hit && hit->back_face) ++backs;
     }
     return 2 * backs > kDirections;

@@ -3,8 +3,7 @@
 
 #include "renderers/reflection/reflectors/capture_point.h"
 #include "renderers/reflection/reflectors/reflected_rays.h"
-
-#include "geometry/reference_intersection.h"
+#include "renderers/scene/closest_hit.h"
 
 #include <glm/geometric.hpp>
 
@@ -34,9 +33,7 @@ struct Candidate {
 
 bool sees(const SceneData& scene, std::uint32_t instance, const glm::dvec3& place, const glm::dvec3& point) {
     constexpr double kUpToThePoint = 1.0 - 1e-6;
-    return !closest_hit_reference(
-        scene.bvh, place, point - place, kUpToThePoint,
-        [&](std::uint32_t triangle) { return scene.triangle_infos[triangle].instance != instance; });
+    return !closest_hit_without(scene, instance, place, point - place, kUpToThePoint);
 }
 
 /// The angle at a place between a ray's direction, which would be looked up there, and what it meets.

@@ -2,6 +2,7 @@
 #include "renderers/reflection/reflectors/reflected_rays.h"
 
 #include "renderers/reflection/reflectors/reflector_plane.h"
+#include "renderers/scene/closest_hit.h"
 #include "renderers/scene/scene_triangles.h"
 
 #include "base/sampler.h"
@@ -111,9 +112,7 @@ double distance_to_surroundings(const SceneData& scene, std::uint32_t instance, 
     constexpr int kDirections = 64;
     double least = kInfinity;
     for (const glm::dvec3& direction : view_directions(kDirections)) {
-        const auto hit = closest_hit_reference(
-            scene.bvh, point, direction, least,
-            [&](std::uint32_t triangle) { return scene.triangle_infos[triangle].instance != instance; });
+        const auto hit = closest_hit_without(scene, instance, point, direction, least);
         if (hit) least = hit->t;
     }
     return least;

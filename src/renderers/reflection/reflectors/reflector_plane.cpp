@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/reflectors/reflector_plane.h"
 
+#include "renderers/scene/closest_hit.h"
 #include "renderers/scene/scene_triangles.h"
 
-#include "geometry/reference_intersection.h"
 #include "geometry/view_directions.h"
 
 #include <glm/geometric.hpp>
@@ -38,9 +38,7 @@ double openness(const SceneData& scene, std::uint32_t instance, const glm::dvec3
     int count = 0;
     for (const glm::dvec3& direction : view_directions(kDirections)) {
         if (glm::dot(direction, normal) <= 0.0) continue;
-        const auto hit = closest_hit_reference(scene.bvh, point, direction, diagonal, [&](std::uint32_t t) {
-            return scene.triangle_infos[t].instance != instance;
-        });
+        const auto hit = closest_hit_without(scene, instance, point, direction, diagonal);
         ++count;
         if (hit || scene.requirements.environment) sum += hit ? hit->t / diagonal : 1.0;
     }
