@@ -35,6 +35,12 @@ struct GeometrySource {
     std::vector<Instance> instances;
 };
 
+/// Which triangles each instance has.
+struct InstanceTriangles {
+    std::vector<std::uint32_t> triangles;  ///< those of the first instance, ascending, then of the next one
+    std::vector<std::uint32_t> first;      ///< where those of each instance begin; at last, where all end
+};
+
 /// A scene in the form the device reads, still on the host. Only what the scene requires is filled.
 struct SceneData {
     Requirements requirements;
@@ -42,6 +48,7 @@ struct SceneData {
     Bounds bounds;           ///< scene space
     Bvh bvh;
     std::vector<interop::TriangleInfo> triangle_infos;  ///< device order
+    InstanceTriangles instance_triangles;               ///< of the host alone; see triangles_of()
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> texcoords;  ///< only with textures
     std::vector<interop::MaterialInfo> materials;

@@ -5,6 +5,7 @@
 #include "base/stopwatch.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace utsuri {
@@ -37,6 +38,20 @@ double seconds_of(const Work& work) {
     return stopwatch.seconds();
 }
 
+/// Sorted by counting: with thousands of instances, none may take a scan of its own.
+InstanceTriangles sort_by_instance(const std::vector<interop::TriangleInfo>& infos, std::size_t instances) {
+    InstanceTriangles sorted;
+    sorted.first.resize(instances + 1);
+    for (const interop::TriangleInfo& info : infos)
+        ++sorted.first[info.instance + 1];
+    std::partial_sum(sorted.first.begin(), sorted.first.end(), sorted.first.begin());
+    std::vector<std::uint32_t> next(sorted.first.begin(), sorted.first.end() - 1);
+    sorted.triangles.resize(infos.size());
+    for (std::uint32_t t = 0; t < infos.size(); ++t)
+        sorted.triangles[next[infos[t].instance]++] = t;
+    return sorted;
+}
+
 /// All but the BVH, which is there.
 void describe(const Scene& scene, WorldGeometry world, SceneData& data) {
     data.origin = world.origin;
@@ -47,6 +62,7 @@ void describe(const Scene& scene, WorldGeometry world, SceneData& data) {
         data.triangle_infos.push_back(
             {world.triangles[input], scene.instances[instance].material, instance, interop::NONE});
     }
+    data.instance_triangles = sort_by_instance(data.triangle_infos, scene.instances.size());
     data.normals = std::move(world.normals);
     if (data.requirements.textures > 0) data.texcoords = std::move(world.texcoords);
 }
@@ -77,6 +93,7 @@ void keep_geometry(SceneData& before, const Scene& scene, SceneData& data) {
     data.bvh = std::move(before.bvh);
     data.normals = std::move(before.normals);
     data.texcoords = std::move(before.texcoords);
+    data.instance_triangles = std::move(before.instance_triangles);
     data.triangle_infos = before.triangle_infos;
     for (interop::TriangleInfo& info : data.triangle_infos)
         info.material = scene.instances[info.instance].material;

@@ -27,15 +27,13 @@ glm::dvec3 doubled_area(const Corners& corners) {
     return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
 }
 
-std::vector<std::uint32_t> triangles_of(const SceneData& scene, std::uint32_t instance) {
-    std::vector<std::uint32_t> result;
-    for (std::uint32_t t = 0; t < scene.triangle_infos.size(); ++t) {
-        if (scene.triangle_infos[t].instance == instance) result.push_back(t);
-    }
-    return result;
+std::span<const std::uint32_t> triangles_of(const SceneData& scene, std::uint32_t instance) {
+    const std::vector<std::uint32_t>& first = scene.instance_triangles.first;
+    return std::span(scene.instance_triangles.triangles)
+        .subspan(first[instance], first[instance + 1] - first[instance]);
 }
 
-Bounds bounds_of(const SceneData& scene, const std::vector<std::uint32_t>& triangles) {
+Bounds bounds_of(const SceneData& scene, std::span<const std::uint32_t> triangles) {
     Bounds bounds;
     for (const std::uint32_t triangle : triangles) {
         bounds.extend(scene.bvh.triangles[triangle].v0);

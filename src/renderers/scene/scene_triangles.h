@@ -7,7 +7,7 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 namespace utsuri {
 
@@ -20,10 +20,11 @@ Corners corners_of(const SceneData& scene, std::uint32_t triangle);
 /// Along the normal of the front, as long as the triangle's area twice.
 glm::dvec3 doubled_area(const Corners& corners);
 
-/// Triangles of an instance, ascending.
-std::vector<std::uint32_t> triangles_of(const SceneData& scene, std::uint32_t instance);
+/// Triangles of an instance, ascending: looked up, not searched for, and valid until the data changes.
+/// @param instance below Requirements::instances
+std::span<const std::uint32_t> triangles_of(const SceneData& scene, std::uint32_t instance);
 
-Bounds bounds_of(const SceneData& scene, const std::vector<std::uint32_t>& triangles);
+Bounds bounds_of(const SceneData& scene, std::span<const std::uint32_t> triangles);
 
 /// Bound on how far a vertex is from where it belongs: each coordinate rounded once.
 double vertex_error(const SceneData& scene);

@@ -47,7 +47,7 @@ std::vector<interop::DistanceMapInfo> place_maps(const Device& device, const Mea
     return maps;
 }
 
-std::vector<float> horizons_of(const SceneData& data, const std::vector<std::uint32_t>& triangles) {
+std::vector<float> horizons_of(const SceneData& data, std::span<const std::uint32_t> triangles) {
     std::vector<Corners> surface;
     surface.reserve(triangles.size());
     for (const std::uint32_t triangle : triangles)
@@ -124,7 +124,7 @@ void DistanceMaps::find_horizons() {
         // Nothing of a plane rises above it; an instance that a change bends is no plane, and has none yet.
         if (view.plane_normal != glm::vec3(0.0f) || !with_horizons_.insert(view.excluded_instance).second)
             continue;
-        const std::vector<std::uint32_t> triangles = triangles_of(*data_, view.excluded_instance);
+        const std::span<const std::uint32_t> triangles = triangles_of(*data_, view.excluded_instance);
         const std::vector<float> horizons = horizons_of(*data_, triangles);
         for (std::size_t t = 0; t < triangles.size(); ++t)
             horizons_[triangles[t]] = horizons[t];

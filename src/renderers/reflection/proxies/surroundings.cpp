@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace utsuri {
 namespace {
@@ -22,7 +23,7 @@ constexpr std::size_t kPlacesByArea = 1024;
 constexpr std::size_t kCornerPlaces = 1024;
 
 /// Vertices of triangles, thinned to at most `most` triangles' worth.
-std::vector<glm::dvec3> corners_from(const SceneData& scene, const std::vector<std::uint32_t>& triangles,
+std::vector<glm::dvec3> corners_from(const SceneData& scene, std::span<const std::uint32_t> triangles,
                                      std::size_t most, const glm::dvec3& point) {
     std::vector<glm::dvec3> places;
     const std::size_t step = std::max<std::size_t>(1, 3 * triangles.size() / most);
@@ -34,7 +35,7 @@ std::vector<glm::dvec3> corners_from(const SceneData& scene, const std::vector<s
 }
 
 /// Evenly spread over the area of triangles (R2 sequence, Roberts 2018).
-std::vector<glm::dvec3> places_by_area(const SceneData& scene, const std::vector<std::uint32_t>& triangles,
+std::vector<glm::dvec3> places_by_area(const SceneData& scene, std::span<const std::uint32_t> triangles,
                                        const glm::dvec3& point) {
     std::vector<double> area_up_to;
     double total = 0.0;
@@ -64,7 +65,7 @@ std::vector<glm::dvec3> places_by_area(const SceneData& scene, const std::vector
 
 std::vector<glm::dvec3> starts_on(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point,
                                   double tolerance) {
-    const std::vector<std::uint32_t> triangles = triangles_of(scene, instance);
+    const std::span<const std::uint32_t> triangles = triangles_of(scene, instance);
     std::vector<glm::dvec3> places = places_by_area(scene, triangles, point);
     const std::vector<glm::dvec3> corners = corners_from(scene, triangles, kCornerPlaces, point);
     places.insert(places.end(), corners.begin(), corners.end());

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace utsuri {
 namespace {
@@ -29,7 +30,7 @@ class Area {
   public:
     Area(const SceneData& scene, std::uint32_t instance) : scene_(scene) {
         double sum = 0.0;
-        const std::vector<std::uint32_t> all = triangles_of(scene, instance);
+        const std::span<const std::uint32_t> all = triangles_of(scene, instance);
         bounds_ = bounds_of(scene, all);
         for (const std::uint32_t triangle : all) {
             const double area = glm::length(doubled_area(corners_of(scene, triangle)));

@@ -10,13 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <span>
 
 namespace utsuri {
 namespace {
 
 /// The plane of the largest triangle, if it holds all of them.
-std::optional<MirrorPlane> common_plane(const SceneData& scene, const std::vector<std::uint32_t>& triangles) {
+std::optional<MirrorPlane> common_plane(const SceneData& scene, std::span<const std::uint32_t> triangles) {
     const auto area = [&](std::uint32_t t) { return glm::length(doubled_area(corners_of(scene, t))); };
     const auto largest =
         std::max_element(triangles.begin(), triangles.end(),
@@ -48,7 +48,7 @@ double openness(const SceneData& scene, std::uint32_t instance, const glm::dvec3
 }  // namespace
 
 std::optional<MirrorPlane> plane_of(const SceneData& scene, std::uint32_t instance) {
-    const std::vector<std::uint32_t> own = triangles_of(scene, instance);
+    const std::span<const std::uint32_t> own = triangles_of(scene, instance);
     std::optional<MirrorPlane> plane = common_plane(scene, own);
     if (!plane) return plane;
     const Bounds bounds = bounds_of(scene, own);
