@@ -24,7 +24,7 @@ constexpr std::size_t kSharper = 64;
 constexpr std::uint32_t kStep = 8;
 
 /// What a pixel sees by way of a reflector.
-struct SurroundingsSample {
+struct ReflectedSample {
     std::uint32_t reflector;
     glm::dvec3 place;               ///< on it, scene space
     glm::dvec3 direction;           ///< unit
@@ -49,7 +49,7 @@ class Sights {
         : scene_(scene), reflectors_(reflectors), finds_hits_(finds_hits(kind)), view_(view) {}
 
     /// @param x, y of the pixel, from the top left corner
-    [[nodiscard]] std::optional<SurroundingsSample> at(std::uint32_t x, std::uint32_t y) const {
+    [[nodiscard]] std::optional<ReflectedSample> at(std::uint32_t x, std::uint32_t y) const {
         const double half_height = std::tan(0.5 * view_.camera.vertical_fov);
         const double pixel = 2.0 * half_height / view_.height;
         const glm::dvec3 direction =
@@ -62,8 +62,8 @@ class Sights {
         const std::uint32_t reflector = reflectors_.instance_reflectors[instance];
         if (reflector == interop::NONE) return std::nullopt;
         const glm::dvec3 normal = shading_normal(scene_, *first, direction);
-        SurroundingsSample sample{reflector, eye + first->t * direction,
-                                  direction - 2.0 * glm::dot(direction, normal) * normal, std::nullopt};
+        ReflectedSample sample{reflector, eye + first->t * direction,
+                               direction - 2.0 * glm::dot(direction, normal) * normal, std::nullopt};
         if (!finds_hits_) return sample;
         const auto second = closest_hit_without(scene_, instance, sample.place, sample.direction, kInfinity);
         if (second) sample.hit = sample.place + second->t * sample.direction;
@@ -81,7 +81,7 @@ class Sights {
 };
 
 /// The probe that a sample's ray passes nearest, as shaders choose.
-std::uint32_t nearest_probe(const std::vector<Probe>& probes, const SurroundingsSample& sample) {
+std::uint32_t nearest_probe(const std::vector<Probe>& probes, const ReflectedSample& sample) {
     std::uint32_t nearest = 0;
     double least = kInfinity;
     for (std::uint32_t i = 0; i < probes.size(); ++i) {
@@ -97,13 +97,13 @@ std::uint32_t nearest_probe(const std::vector<Probe>& probes, const Surroundings
 }
 
 /// Unit direction from a point to what a pixel sees.
-glm::dvec3 direction_from(const glm::dvec3& point, const SurroundingsSample& sample) {
+glm::dvec3 direction_from(const glm::dvec3& point, const ReflectedSample& sample) {
     return sample.hit ? glm::normalize(*sample.hit - point) : sample.direction;
 }
 
 /// Root of the solid angle at a point of what a pixel sees, from its neighbours to the right and below.
-double angle_at(const glm::dvec3& point, const SurroundingsSample& pixel, const SurroundingsSample& right,
-                const SurroundingsSample& below) {
+double angle_at(const glm::dvec3& point, const ReflectedSample& pixel, const ReflectedSample& right,
+                const ReflectedSample& below) {
     const glm::dvec3 direction = direction_from(point, pixel);
     return std::sqrt(glm::length(
         glm::cross(direction_from(point, right) - direction, direction_from(point, below) - direction)));

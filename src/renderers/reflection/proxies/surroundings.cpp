@@ -27,6 +27,7 @@ std::vector<glm::dvec3> corners_from(const SceneData& scene, std::span<const std
                                      std::size_t most, const glm::dvec3& point) {
     std::vector<glm::dvec3> places;
     const std::size_t step = std::max<std::size_t>(1, 3 * triangles.size() / most);
+    places.reserve(3 * ((triangles.size() + step - 1) / step));
     for (std::size_t i = 0; i < triangles.size(); i += step) {
         for (const glm::dvec3& corner : corners_of(scene, triangles[i]))
             places.push_back(corner - point);
@@ -38,11 +39,13 @@ std::vector<glm::dvec3> corners_from(const SceneData& scene, std::span<const std
 std::vector<glm::dvec3> places_by_area(const SceneData& scene, std::span<const std::uint32_t> triangles,
                                        const glm::dvec3& point) {
     std::vector<double> area_up_to;
+    area_up_to.reserve(triangles.size());
     double total = 0.0;
     for (const std::uint32_t triangle : triangles)
         area_up_to.push_back(total += glm::length(doubled_area(corners_of(scene, triangle))));
     std::vector<glm::dvec3> places;
     if (!(total > 0.0)) return places;
+    places.reserve(kPlacesByArea);
     constexpr double kPlastic = 1.32471795724474602596;
     std::size_t at = 0;
     for (std::size_t i = 0; i < kPlacesByArea; ++i) {
