@@ -80,12 +80,12 @@ class Sights {
     const MapView& view_;
 };
 
-/// The probe that a sample's ray passes nearest, as shaders choose.
-std::uint32_t nearest_probe(const std::vector<Probe>& probes, const ReflectedSample& sample) {
-    std::uint32_t nearest = 0;
+/// Of the probes of its reflector, the one that a sample's ray passes nearest, as shaders choose.
+std::uint32_t nearest_probe(const std::vector<Probe>& probes, const interop::ProbeRange& range,
+                            const ReflectedSample& sample) {
+    std::uint32_t nearest = range.first;
     double least = kInfinity;
-    for (std::uint32_t i = 0; i < probes.size(); ++i) {
-        if (probes[i].reflector != sample.reflector) continue;
+    for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
         const double passes =
             glm::length(glm::cross(sample.place - probes[i].capture_point, sample.direction));
         if (passes < least) {
@@ -123,6 +123,7 @@ std::vector<std::uint32_t> fit_map_sizes(const SceneData& scene, const Reflector
                                          const std::vector<Probe>& probes, MapKind kind, const MapView& view,
                                          double texel_angle, std::uint32_t most) {
     const Sights samples(scene, reflectors, kind, view);
+    const std::vector<interop::ProbeRange> ranges = probe_ranges(probes, reflectors.instances.size());
     std::vector<std::vector<double>> angles(probes.size());
     const std::uint32_t step = (std::max(view.width, view.height) + kPixels - 1) / kPixels;
     for (std::uint32_t y = 0; y < view.height && !probes.empty(); y += step) {
@@ -135,7 +136,7 @@ std::vector<std::uint32_t> fit_map_sizes(const SceneData& scene, const Reflector
             if (!right || !below || right->reflector != pixel->reflector ||
                 below->reflector != pixel->reflector)
                 continue;
-            const std::uint32_t probe = nearest_probe(probes, *pixel);
+            const std::uint32_t probe = nearest_probe(probes, ranges[pixel->reflector], *pixel);
             angles[probe].push_back(angle_at(probes[probe].capture_point, *pixel, *right, *below));
         }
     }
