@@ -7,6 +7,7 @@
 #include "renderers/methods/method.h"
 #include "renderers/methods/ray_tracer.h"
 #include "renderers/reflection/glossy/glossy_map_plan.h"
+#include "renderers/scene/scene_triangles.h"
 
 #include "base/check.h"
 
@@ -36,8 +37,10 @@ SceneData with_everything_on(SceneData data) {
     needs.max_depth = kUnboundedDepth;
     data.bvh.depth = interop::BVH_MAX_DEPTH;
     needs.reflective_instances.clear();
-    for (std::uint32_t instance = 0; instance < needs.instances; ++instance)
-        needs.reflective_instances.push_back(instance);
+    for (std::uint32_t instance = 0; instance < needs.instances; ++instance) {
+        if (!triangles_of(data, instance).empty()) needs.reflective_instances.push_back(instance);
+    }
+    needs.glossy_instances = needs.reflective_instances;
     for (SurfaceFeatures& surface : needs.surfaces)
         surface = {true, true, true};
     return data;

@@ -150,6 +150,7 @@ Requirements find_requirements(const Scene& scene, TextureRanges& ranges) {
         needs.vertices += mesh.positions.size();
         if (material.emissive != glm::vec3(0.0f)) needs.emissive_triangles += mesh.triangles.size();
         if (!mesh.triangles.empty() && range.may_be_mirror()) needs.reflective_instances.push_back(i);
+        if (!mesh.triangles.empty() && range.may_be_glossy()) needs.glossy_instances.push_back(i);
         if (!mesh.triangles.empty() && range.reflects) lobed_instances.push_back(i);
         if (!materials.insert(instance.material).second || !has_texture(material)) continue;
         for (const TextureSlot* slot : {&material.base_colour_texture, &material.metallic_roughness_texture,

@@ -52,7 +52,8 @@ struct Requirements {
     bool environment = false;                         ///< uniform surroundings
     bool glossy = false;                              ///< glossy specular lobes
     bool mirror = false;                              ///< perfect mirrors or smooth dielectrics
-    std::vector<std::uint32_t> reflective_instances;  ///< with a specular surface
+    std::vector<std::uint32_t> reflective_instances;  ///< with triangles and a mirror lobe; ascending
+    std::vector<std::uint32_t> glossy_instances;      ///< with triangles and a glossy lobe; ascending
     std::vector<SurfaceFeatures> surfaces;            ///< of each material, in use or not
     std::vector<RoughnessRange> roughness;            ///< of each material
     /// Most specular reflections a ray can meet: 0 without specular lobes, 1 where all surfaces that have one

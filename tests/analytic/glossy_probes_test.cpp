@@ -94,7 +94,8 @@ TEST_F(GlossyProbes, NeighbouringPixelsDifferByNoMoreThanTheWeightsMayChange) {
     constexpr std::uint32_t kEdge = 64;
     const Scene scene = screened_floor();
     const SceneData data = prepare_scene_data(scene);
-    const std::vector<Probe> probes = place_probes(data, glossy_instances(data), MapKind::cube, {2, {}});
+    const std::vector<Probe> probes =
+        place_probes(data, data.requirements.glossy_instances, MapKind::cube, {2, {}});
     ASSERT_EQ(probes.size(), 2u);
     const GlossyMapPlan plan = plan_glossy_maps(data, 64, probes);
     MapObserver observer(device(), scene, MapKind::cube, from_points(2));

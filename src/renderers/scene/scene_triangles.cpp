@@ -33,6 +33,10 @@ std::span<const std::uint32_t> triangles_of(const SceneData& scene, std::uint32_
         .subspan(first[instance], first[instance + 1] - first[instance]);
 }
 
+std::uint32_t material_of(const SceneData& scene, std::uint32_t instance) {
+    return scene.triangle_infos[triangles_of(scene, instance).front()].material;
+}
+
 Bounds bounds_of(const SceneData& scene, std::span<const std::uint32_t> triangles) {
     Bounds bounds;
     for (const std::uint32_t triangle : triangles) {

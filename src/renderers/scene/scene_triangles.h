@@ -24,6 +24,9 @@ glm::dvec3 doubled_area(const Corners& corners);
 /// @param instance below Requirements::instances
 std::span<const std::uint32_t> triangles_of(const SceneData& scene, std::uint32_t instance);
 
+/// The material of an instance that has triangles.
+std::uint32_t material_of(const SceneData& scene, std::uint32_t instance);
+
 Bounds bounds_of(const SceneData& scene, std::span<const std::uint32_t> triangles);
 
 /// Bound on how far a vertex is from where it belongs: each coordinate rounded once.

@@ -40,7 +40,7 @@ TEST(GlossyMapPlan, EachCapturePointHasItsLevels) {
     test::add(scene, test::icosphere(glm::vec3(3.0f), 1.0f, 1), test::glossy_metal(0.5f));
     test::add(scene, test::icosphere(glm::vec3(6.0f), 1.0f, 1), test::glossy_metal(0.5f));
     const SceneData data = prepare_scene_data(scene);
-    EXPECT_EQ(glossy_instances(data), (std::vector<std::uint32_t>{1, 2}));
+    EXPECT_EQ(data.requirements.glossy_instances, (std::vector<std::uint32_t>{1, 2}));
     const std::vector<Probe> probes = {{0, glm::dvec3(3.0)},
                                        {0, glm::dvec3(3.0, 3.0, 7.0)},
                                        {0, glm::dvec3(3.0, 3.0, 5.0)},

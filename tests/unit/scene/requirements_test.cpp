@@ -160,6 +160,7 @@ TEST(Requirements, CountGlossyLobesAsReflections) {
     test::add(scene, unit_quad(), test::glossy_metal(0.5f));
     EXPECT_EQ(find_requirements(scene).max_depth, 1u);
     EXPECT_THAT(find_requirements(scene).reflective_instances, IsEmpty());
+    EXPECT_THAT(find_requirements(scene).glossy_instances, ElementsAre(0));
     test::add(scene, test::quad({0, 0, 1}, {1, 0, 0}, {0, 1, 0}), test::mirror());
     EXPECT_EQ(find_requirements(scene).max_depth, kUnboundedDepth) << "off the plane of the mirror";
 }
@@ -167,8 +168,10 @@ TEST(Requirements, CountGlossyLobesAsReflections) {
 TEST(Requirements, PassOverReflectorsWithoutTriangles) {
     Scene scene;
     test::add(scene, Mesh(), test::mirror());
+    test::add(scene, Mesh(), test::glossy_metal(0.5f));
     const Requirements needs = find_requirements(scene);
     EXPECT_THAT(needs.reflective_instances, IsEmpty());
+    EXPECT_THAT(needs.glossy_instances, IsEmpty());
     EXPECT_FALSE(needs.mirror);
 }
 

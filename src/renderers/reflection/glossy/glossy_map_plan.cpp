@@ -2,6 +2,7 @@
 #include "renderers/reflection/glossy/glossy_map_plan.h"
 
 #include "renderers/reflection/glossy/map_prefilter.h"
+#include "renderers/scene/scene_triangles.h"
 
 #include "interop/shading.h"
 
@@ -11,7 +12,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace utsuri {
 namespace {
@@ -37,14 +37,6 @@ std::uint32_t level_size(float roughness, std::uint32_t most_size) {
 /// A power of two, twice as fine as the level made of it.
 std::uint32_t source_size(std::uint32_t finest_level, std::uint32_t most_size) {
     return std::min(std::bit_floor(most_size), std::max(kSmallestSource, std::bit_ceil(2 * finest_level)));
-}
-
-/// The materials of instances; an instance has one.
-std::vector<std::optional<std::uint32_t>> instance_materials(const SceneData& data) {
-    std::vector<std::optional<std::uint32_t>> materials(data.requirements.instances);
-    for (const interop::TriangleInfo& info : data.triangle_infos)
-        materials[info.instance] = info.material;
-    return materials;
 }
 
 interop::GlossyMapInfo describe_levels(const RoughnessRange& range) {
@@ -83,7 +75,7 @@ void add_levels(GlossyMapPlan& plan, std::uint32_t instance, const glm::dvec3& c
 /// With a capture point for each glossy instance, wherever that is.
 GlossyMapPlan plan_from_one_point(const SceneData& data, std::uint32_t most_size) {
     std::vector<Probe> probes;
-    for (std::uint32_t i = 0; i < glossy_instances(data).size(); ++i)
+    for (std::uint32_t i = 0; i < data.requirements.glossy_instances.size(); ++i)
         probes.push_back({i, glm::dvec3(0.0)});
     return plan_glossy_maps(data, most_size, probes);
 }
@@ -107,26 +99,16 @@ std::uint32_t GlossyMapPlan::most_probes() const {
     return most;
 }
 
-std::vector<std::uint32_t> glossy_instances(const SceneData& data) {
-    std::vector<std::uint32_t> instances;
-    const auto materials = instance_materials(data);
-    for (std::uint32_t i = 0; i < materials.size(); ++i) {
-        if (materials[i] && data.requirements.surfaces[*materials[i]].glossy) instances.push_back(i);
-    }
-    return instances;
-}
-
 GlossyMapPlan plan_glossy_maps(const SceneData& data, std::uint32_t most_size,
                                const std::vector<Probe>& probes) {
     GlossyMapPlan plan;
     plan.infos.resize(data.requirements.instances);
     plan.source_sizes.resize(data.requirements.instances);
-    const auto materials = instance_materials(data);
-    const std::vector<std::uint32_t> rough = glossy_instances(data);
+    const std::vector<std::uint32_t>& rough = data.requirements.glossy_instances;
     const std::vector<interop::ProbeRange> ranges = probe_ranges(probes, rough.size());
     for (std::size_t r = 0; r < rough.size(); ++r) {
         const std::uint32_t instance = rough[r];
-        plan.infos[instance] = describe_levels(data.requirements.roughness[materials[instance].value()]);
+        plan.infos[instance] = describe_levels(data.requirements.roughness[material_of(data, instance)]);
         plan.infos[instance].first_probe = ranges[r].first;
         plan.infos[instance].probes = ranges[r].count;
         plan.infos[instance].blend_width = blend_width(probes, ranges[r]);

@@ -27,11 +27,8 @@ struct GlossyMapPlan {
     [[nodiscard]] float roughness(std::uint32_t instance, std::uint32_t level) const;
 };
 
-/// Instances with a glossy lobe, ascending.
-std::vector<std::uint32_t> glossy_instances(const SceneData& data);
-
 /// @param most_size largest size of anything that is captured, >= 1
-/// @param probes of each of glossy_instances(), in their order
+/// @param probes of each of Requirements::glossy_instances, in their order
 GlossyMapPlan plan_glossy_maps(const SceneData& data, std::uint32_t most_size,
                                const std::vector<Probe>& probes);
 

@@ -18,7 +18,7 @@ namespace {
 
 GlossyMapPlan placed(const Device& device, const SceneData& data, const GlossyMapSettings& settings,
                      std::vector<interop::ProxyPlane>& proxy_planes) {
-    const std::vector<std::uint32_t> rough = glossy_instances(data);
+    const std::vector<std::uint32_t>& rough = data.requirements.glossy_instances;
     const std::vector<Probe> probes =
         place_probes(data, rough, settings.kind, {settings.most_probes, settings.capture_point});
     GlossyMapPlan plan = plan_glossy_maps(data, settings.size, probes);
