@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace utsuri {
@@ -74,29 +75,43 @@ bool has_texture(const Material& material) {
            material.emissive_texture.used();
 }
 
-/// Whether all triangles of these instances lie in one plane, to a millionth of their size.
-bool in_one_plane(const Scene& scene, const std::vector<std::uint32_t>& instances) {
-    constexpr double kRelativeTolerance = 1e-6;
-    std::vector<glm::dvec3> points;
+glm::dvec3 world_position(const Instance& instance, const glm::vec3& position) {
+    return glm::dvec3(instance.world_from_object * glm::dvec4(glm::dvec3(position), 1.0));
+}
+
+/// Whether all vertices of instances, in world space, satisfy a condition; the first that does not ends the
+/// search. They are transformed anew each time: keeping them would take more memory than the scene.
+template <typename Condition>
+bool all_vertices(const Scene& scene, const std::vector<std::uint32_t>& instances,
+                  const Condition& condition) {
     for (const std::uint32_t index : instances) {
         const Instance& instance = scene.instances[index];
         for (const glm::vec3& position : scene.meshes[instance.mesh].positions) {
-            points.emplace_back(instance.world_from_object * glm::dvec4(glm::dvec3(position), 1.0));
+            if (!condition(world_position(instance, position))) return false;
         }
     }
+    return true;
+}
+
+/// Whether all triangles of these instances lie in one plane, to a millionth of their size.
+/// @param instances with triangles, at least one
+bool in_one_plane(const Scene& scene, const std::vector<std::uint32_t>& instances) {
+    constexpr double kRelativeTolerance = 1e-6;
+    const Instance& first = scene.instances[instances.front()];
+    const glm::dvec3 a = world_position(first, scene.meshes[first.mesh].positions.front());
     const auto farthest = [&](const auto& measure) {
-        std::size_t found = 0;
-        double most = measure(points[0]);
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            const double here = measure(points[i]);
+        glm::dvec3 found = a;
+        double most = measure(a);
+        all_vertices(scene, instances, [&](const glm::dvec3& p) {
+            const double here = measure(p);
             if (here > most) {
                 most = here;
-                found = i;
+                found = p;
             }
-        }
-        return points[found];
+            return true;
+        });
+        return found;
     };
-    const glm::dvec3 a = points.front();
     const glm::dvec3 b = farthest([&](const glm::dvec3& p) { return glm::length(p - a); });
     const double size = glm::length(b - a);
     if (size == 0.0) return true;
@@ -104,7 +119,7 @@ bool in_one_plane(const Scene& scene, const std::vector<std::uint32_t>& instance
     const glm::dvec3 normal = glm::cross(b - a, c - a);
     const double length = glm::length(normal);
     if (length == 0.0) return true;
-    return std::all_of(points.begin(), points.end(), [&](const glm::dvec3& p) {
+    return all_vertices(scene, instances, [&](const glm::dvec3& p) {
         return std::abs(glm::dot(p - a, normal)) <= kRelativeTolerance * size * length;
     });
 }
@@ -132,13 +147,23 @@ bool may_be_glossy(const Scene& scene, const Material& material) {
 
 Requirements find_requirements(const Scene& scene) {
     TextureRanges ranges(scene.textures.size());
-    return find_requirements(scene, ranges);
+    Requirements needs = find_requirements_but_depth(scene, ranges);
+    needs.max_depth = find_max_depth(scene, needs);
+    return needs;
 }
 
-Requirements find_requirements(const Scene& scene, TextureRanges& ranges) {
+std::uint32_t find_max_depth(const Scene& scene, const Requirements& needs) {
+    std::vector<std::uint32_t> instances;
+    std::set_union(needs.reflective_instances.begin(), needs.reflective_instances.end(),
+                   needs.glossy_instances.begin(), needs.glossy_instances.end(),
+                   std::back_inserter(instances));
+    if (instances.empty()) return 0;
+    return in_one_plane(scene, instances) ? 1 : kUnboundedDepth;
+}
+
+Requirements find_requirements_but_depth(const Scene& scene, TextureRanges& ranges) {
     const std::vector<MaterialRange> of_materials = material_ranges(scene, ranges);
     Requirements needs;
-    std::vector<std::uint32_t> lobed_instances;
     std::set<std::uint32_t> materials;
     std::set<std::int32_t> textures;
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
@@ -151,7 +176,6 @@ Requirements find_requirements(const Scene& scene, TextureRanges& ranges) {
         if (material.emissive != glm::vec3(0.0f)) needs.emissive_triangles += mesh.triangles.size();
         if (!mesh.triangles.empty() && range.may_be_mirror()) needs.reflective_instances.push_back(i);
         if (!mesh.triangles.empty() && range.may_be_glossy()) needs.glossy_instances.push_back(i);
-        if (!mesh.triangles.empty() && range.reflects) lobed_instances.push_back(i);
         if (!materials.insert(instance.material).second || !has_texture(material)) continue;
         for (const TextureSlot* slot : {&material.base_colour_texture, &material.metallic_roughness_texture,
                                         &material.emissive_texture}) {
@@ -174,9 +198,6 @@ Requirements find_requirements(const Scene& scene, TextureRanges& ranges) {
     needs.punctual_lights = static_cast<std::uint32_t>(scene.lights.size());
     needs.environment = scene.environment != glm::vec3(0.0f);
     needs.mirror = !needs.reflective_instances.empty();
-    if (!lobed_instances.empty()) {
-        needs.max_depth = in_one_plane(scene, lobed_instances) ? 1 : kUnboundedDepth;
-    }
     return needs;
 }
 

@@ -70,8 +70,13 @@ bool may_be_mirror(const Scene& scene, const Material& material);
 bool may_be_glossy(const Scene& scene, const Material& material);
 
 Requirements find_requirements(const Scene& scene);
-/// The same where some ranges are known: textures take far longer to go through than all else.
+/// All of them but max_depth, which takes a pass over vertices: what is left goes over instances, materials
+/// and textures.
 /// @param ranges one of each texture; those that are asked for and missing are found and put there
-Requirements find_requirements(const Scene& scene, TextureRanges& ranges);
+Requirements find_requirements_but_depth(const Scene& scene, TextureRanges& ranges);
+/// Requirements::max_depth. It depends on where the vertices of instances with a specular lobe are, and on
+/// nothing else.
+/// @param needs all else that the scene requires
+std::uint32_t find_max_depth(const Scene& scene, const Requirements& needs);
 
 }  // namespace utsuri

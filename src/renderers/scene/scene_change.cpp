@@ -172,6 +172,15 @@ SceneChange rebuilt(std::string reason) {
     return change;
 }
 
+/// Found again only where it can have changed: a colour is to cost no pass over vertices.
+std::uint32_t follow_max_depth(const Requirements& before, const Scene& scene, GeometryChange geometry,
+                               const Requirements& after) {
+    const bool stays = geometry == GeometryChange::none &&
+                       after.reflective_instances == before.reflective_instances &&
+                       after.glossy_instances == before.glossy_instances;
+    return stays ? before.max_depth : find_max_depth(scene, after);
+}
+
 std::vector<ChangedBytes> find_changed_bytes(const Step& step) {
     const auto before = scene_buffers(step.before);
     const auto after = scene_buffers(step.after);
@@ -199,8 +208,9 @@ SceneChange update_scene_data(SceneData& data, const Scene& scene) {
     after.texture_headers = data.texture_headers;
     after.texture_facts = std::move(data.texture_facts);
     TextureChange textures = pack_textures(table, after);
-    after.requirements = find_requirements(scene, table, after.texture_facts);
+    after.requirements = find_requirements_but_depth(scene, table, after.texture_facts);
     const GeometryChange geometry = follow_geometry(data, scene, after);
+    after.requirements.max_depth = follow_max_depth(data.requirements, scene, geometry, after.requirements);
     after.materials = list_materials(scene, table);
     list_lights(scene, mean_emission(scene, table, after.texture_facts), after);
 

@@ -17,7 +17,8 @@ SceneData prepare_scene_data(const Scene& scene) {
     SceneData data;
     const TextureTable table(scene);
     pack_textures(table, data);
-    data.requirements = find_requirements(scene, table, data.texture_facts);
+    data.requirements = find_requirements_but_depth(scene, table, data.texture_facts);
+    data.requirements.max_depth = find_max_depth(scene, data.requirements);
     make_geometry(scene, data);
     data.materials = list_materials(scene, table);
     list_lights(scene, mean_emission(scene, table, data.texture_facts), data);

@@ -96,12 +96,12 @@ TextureChange pack_textures(const TextureTable& table, SceneData& data) {
     return change;
 }
 
-Requirements find_requirements(const Scene& scene, const TextureTable& table,
-                               std::vector<TextureFacts>& facts) {
+Requirements find_requirements_but_depth(const Scene& scene, const TextureTable& table,
+                                         std::vector<TextureFacts>& facts) {
     TextureRanges ranges(scene.textures.size());
     for (std::size_t i = 0; i < facts.size(); ++i)
         ranges[table.source(i)] = facts[i].range;
-    Requirements needs = find_requirements(scene, ranges);
+    Requirements needs = find_requirements_but_depth(scene, ranges);
     for (std::size_t i = 0; i < facts.size(); ++i)
         facts[i].range = ranges[table.source(i)];
     return needs;

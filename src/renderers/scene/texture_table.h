@@ -43,9 +43,10 @@ struct TextureChange {
 /// have there, only those are written that differ; what is known of the others stays.
 TextureChange pack_textures(const TextureTable& table, SceneData& data);
 
-/// What the scene requires. Textures are gone through only where their facts do not tell.
-Requirements find_requirements(const Scene& scene, const TextureTable& table,
-                               std::vector<TextureFacts>& facts);
+/// What the scene requires but for the depth of chains: see scene/requirements.h. Textures are gone through
+/// only where their facts do not tell.
+Requirements find_requirements_but_depth(const Scene& scene, const TextureTable& table,
+                                         std::vector<TextureFacts>& facts);
 
 /// Mean over texels and colour channels of a texture, decoded by the power 2.2 that sRGB is close to, in [0,
 /// 1].

@@ -210,6 +210,29 @@ TEST_F(SceneChanges, OfMaterialsOfInstancesRebuild) {
     expect_same_buffers(data_, prepare_scene_data(scene_));
 }
 
+// The depth of chains is kept where it cannot have changed, and found again where it can.
+TEST_F(SceneChanges, LeaveTheMaxDepthThatTheSceneRequires) {
+    add(scene_, quad({3, 0, 9}, {1, 0, 0}, {0, 1, 0}), mirror());
+    scene_.instances.push_back(scene_.instances[2]);
+    scene_.instances[3].world_from_object = glm::translate(glm::dmat4(1.0), glm::dvec3(2, 0, 0));
+    data_ = prepare_scene_data(scene_);
+    const auto depth_after = [&](const auto& alter) {
+        alter(scene_);
+        static_cast<void>(change());
+        EXPECT_EQ(data_.requirements.max_depth, find_requirements(scene_).max_depth);
+        return data_.requirements.max_depth;
+    };
+    EXPECT_EQ(depth_after([](Scene& s) { s.materials[2].base_colour = {1, 0, 0}; }), 1u);
+    EXPECT_EQ(depth_after([](Scene& s) { s.instances[0].material = 2; }), kUnboundedDepth)
+        << "a mirror in another plane, of materials that stay as they are";
+    EXPECT_EQ(depth_after([](Scene& s) { s.instances[0].material = 0; }), 1u);
+    EXPECT_EQ(depth_after([](Scene& s) { s.materials[0] = glossy_metal(0.5f); }), kUnboundedDepth);
+    EXPECT_EQ(depth_after([](Scene& s) { s.materials[0] = lambert(glm::vec3(0.5f)); }), 1u);
+    EXPECT_EQ(depth_after([](Scene& s) { s.instances[3].world_from_object[3][2] = 1.0; }), kUnboundedDepth);
+    EXPECT_EQ(depth_after([](Scene& s) { s.instances[3].world_from_object[3][2] = 0.0; }), 1u);
+    EXPECT_EQ(depth_after([](Scene& s) { s.instances.resize(2); }), 0u);
+}
+
 TEST_F(SceneChanges, ThatRebuildLeaveASceneThatIsFollowedOn) {
     add(scene_, quad({0, 0, 9}, {1, 0, 0}, {0, 1, 0}), lambert(glm::vec3(0.25f)));
     EXPECT_TRUE(change().rebuilt);

@@ -122,7 +122,7 @@ TEST(Requirements, TakeRangesOfTexturesThatAreKnown) {
     }
     TextureRanges ranges(3);
     ranges[0] = TextureRange{{0, 0, 255, 255}, {0, 0, 255, 255}};
-    const Requirements needs = find_requirements(scene, ranges);
+    const Requirements needs = find_requirements_but_depth(scene, ranges);
     EXPECT_THAT(needs.reflective_instances, ElementsAre(0, 2)) << "as smooth as the range says";
     EXPECT_EQ(needs.roughness[0].most, 0.0f);
     EXPECT_EQ(needs.roughness[1].least, 1.0f);
