@@ -9,14 +9,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace utsuri {
 namespace {
-
-using Corners = std::array<std::uint32_t, 3>;
 
 bool is_too_long(const interop::ReflectorVertex& a, const interop::ReflectorVertex& b,
                  const PolygonRefinement& refinement) {
@@ -58,7 +57,8 @@ class Halving {
     };
 
     std::optional<Corner> middle(const Corner& a, const Corner& b) {
-        const auto key = std::minmax(a.vertex, b.vertex);
+        const std::uint64_t key =
+            (std::uint64_t{std::min(a.vertex, b.vertex)} << 32) | std::max(a.vertex, b.vertex);
         auto found = middles_.find(key);
         if (found == middles_.end()) {
             const interop::ReflectorVertex& va = reflectors_.vertices[a.vertex];
@@ -108,7 +108,7 @@ class Halving {
 
     Reflectors& reflectors_;
     const PolygonRefinement& refinement_;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
+    std::unordered_map<std::uint64_t, std::uint32_t> middles_;  ///< vertices, by the two ends of an edge
 };
 
 }  // namespace
@@ -123,7 +123,9 @@ Reflectors find_reflectors(const SceneData& scene, const std::vector<std::uint32
     result.instance_reflectors.assign(scene.requirements.instances, interop::NONE);
     for (std::uint32_t i = 0; i < result.instances.size(); ++i)
         result.instance_reflectors[result.instances[i]] = i;
-    std::map<std::uint32_t, std::uint32_t> slots;  // of scene vertices
+    if (instances.empty()) return result;
+    // Of scene vertices: where each is among the result's.
+    std::vector<std::uint32_t> slots(scene.normals.size(), interop::NONE);
     for (std::uint32_t t = 0; t < scene.triangle_infos.size(); ++t) {
         const interop::TriangleInfo& info = scene.triangle_infos[t];
         const std::uint32_t reflector = result.instance_reflectors[info.instance];
@@ -132,10 +134,12 @@ Reflectors find_reflectors(const SceneData& scene, const std::vector<std::uint32
         const glm::vec3 positions[3] = {corners.v0, corners.v1, corners.v2};
         interop::ReflectorTriangle triangle{{}, t, {{0, 0}, {1, 0}, {0, 1}}, reflector};
         for (int k = 0; k < 3; ++k) {
-            const auto [slot, added] =
-                slots.try_emplace(info.vertices[k], static_cast<std::uint32_t>(result.vertices.size()));
-            if (added) result.vertices.push_back({positions[k], scene.normals[info.vertices[k]]});
-            triangle.vertices[k] = slot->second;
+            std::uint32_t& slot = slots[info.vertices[k]];
+            if (slot == interop::NONE) {
+                slot = static_cast<std::uint32_t>(result.vertices.size());
+                result.vertices.push_back({positions[k], scene.normals[info.vertices[k]]});
+            }
+            triangle.vertices[k] = slot;
         }
         result.triangles.push_back(triangle);
     }
@@ -150,11 +154,10 @@ double interpolation_error(double turn) {
 
 void refine(Reflectors& reflectors, const PolygonRefinement& refinement) {
     if (!refinement.edge && !refinement.error) return;
-    const Reflectors before = reflectors;
+    const std::size_t polygons = reflectors.triangles.size();
     while (Halving(reflectors, refinement).run()) {
         if (reflectors.triangles.size() > kMostReflectorPolygons) {
-            throw UsageError("refine the polygons of reflectors",
-                             fmt::format("from {} of them", before.triangles.size()),
+            throw UsageError("refine the polygons of reflectors", fmt::format("from {} of them", polygons),
                              fmt::format("they would become more than {}; use a larger --polygon-edge or "
                                          "--polygon-error",
                                          kMostReflectorPolygons));
