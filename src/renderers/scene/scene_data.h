@@ -35,10 +35,11 @@ struct GeometrySource {
     std::vector<Instance> instances;
 };
 
-/// Which triangles each instance has.
+/// Which triangles each instance has, and where they are.
 struct InstanceTriangles {
     std::vector<std::uint32_t> triangles;  ///< those of the first instance, ascending, then of the next one
     std::vector<std::uint32_t> first;      ///< where those of each instance begin; at last, where all end
+    std::vector<Bounds> bounds;            ///< of each instance; scene space
 };
 
 /// A scene in the form the device reads, still on the host. Only what the scene requires is filled.
@@ -48,7 +49,7 @@ struct SceneData {
     Bounds bounds;           ///< scene space
     Bvh bvh;
     std::vector<interop::TriangleInfo> triangle_infos;  ///< device order
-    InstanceTriangles instance_triangles;               ///< of the host alone; see triangles_of()
+    InstanceTriangles instance_triangles;               ///< of the host alone; triangles_of(), bounds_of()
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> texcoords;  ///< only with textures
     std::vector<interop::MaterialInfo> materials;

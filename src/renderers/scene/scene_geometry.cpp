@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/scene/scene_geometry.h"
 
+#include "renderers/scene/scene_triangles.h"
+
 #include "base/same_bits.h"
 #include "base/stopwatch.h"
 
@@ -39,7 +41,8 @@ double seconds_of(const Work& work) {
 }
 
 /// Sorted by counting: with thousands of instances, none may take a scan of its own.
-InstanceTriangles sort_by_instance(const std::vector<interop::TriangleInfo>& infos, std::size_t instances) {
+InstanceTriangles sort_by_instance(const SceneData& data, std::size_t instances) {
+    const std::vector<interop::TriangleInfo>& infos = data.triangle_infos;
     InstanceTriangles sorted;
     sorted.first.resize(instances + 1);
     for (const interop::TriangleInfo& info : infos)
@@ -47,8 +50,11 @@ InstanceTriangles sort_by_instance(const std::vector<interop::TriangleInfo>& inf
     std::partial_sum(sorted.first.begin(), sorted.first.end(), sorted.first.begin());
     std::vector<std::uint32_t> next(sorted.first.begin(), sorted.first.end() - 1);
     sorted.triangles.resize(infos.size());
-    for (std::uint32_t t = 0; t < infos.size(); ++t)
+    sorted.bounds.resize(instances);
+    for (std::uint32_t t = 0; t < infos.size(); ++t) {
+        sorted.bounds[infos[t].instance].extend(bounds_of(data.bvh.triangles[t]));
         sorted.triangles[next[infos[t].instance]++] = t;
+    }
     return sorted;
 }
 
@@ -62,7 +68,7 @@ void describe(const Scene& scene, WorldGeometry world, SceneData& data) {
         data.triangle_infos.push_back(
             {world.triangles[input], scene.instances[instance].material, instance, interop::NONE});
     }
-    data.instance_triangles = sort_by_instance(data.triangle_infos, scene.instances.size());
+    data.instance_triangles = sort_by_instance(data, scene.instances.size());
     data.normals = std::move(world.normals);
     if (data.requirements.textures > 0) data.texcoords = std::move(world.texcoords);
 }

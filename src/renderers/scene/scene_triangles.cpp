@@ -23,6 +23,13 @@ Corners corners_of(const SceneData& scene, std::uint32_t triangle) {
     return {glm::dvec3(t.v0), glm::dvec3(t.v1), glm::dvec3(t.v2)};
 }
 
+Bounds bounds_of(const interop::BvhTriangle& triangle) {
+    Bounds bounds;
+    for (const glm::vec3& vertex : {triangle.v0, triangle.v1, triangle.v2})
+        bounds.extend(vertex);
+    return bounds;
+}
+
 glm::dvec3 doubled_area(const Corners& corners) {
     return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
 }
@@ -37,14 +44,8 @@ std::uint32_t material_of(const SceneData& scene, std::uint32_t instance) {
     return scene.triangle_infos[triangles_of(scene, instance).front()].material;
 }
 
-Bounds bounds_of(const SceneData& scene, std::span<const std::uint32_t> triangles) {
-    Bounds bounds;
-    for (const std::uint32_t triangle : triangles) {
-        bounds.extend(scene.bvh.triangles[triangle].v0);
-        bounds.extend(scene.bvh.triangles[triangle].v1);
-        bounds.extend(scene.bvh.triangles[triangle].v2);
-    }
-    return bounds;
+const Bounds& bounds_of(const SceneData& scene, std::uint32_t instance) {
+    return scene.instance_triangles.bounds[instance];
 }
 
 double vertex_error(const SceneData& scene) {

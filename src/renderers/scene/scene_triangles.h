@@ -17,6 +17,8 @@ inline constexpr double kUnitRoundoff = 0x1p-24;
 using Corners = std::array<glm::dvec3, 3>;
 Corners corners_of(const SceneData& scene, std::uint32_t triangle);
 
+Bounds bounds_of(const interop::BvhTriangle& triangle);
+
 /// Along the normal of the front, as long as the triangle's area twice.
 glm::dvec3 doubled_area(const Corners& corners);
 
@@ -27,7 +29,8 @@ std::span<const std::uint32_t> triangles_of(const SceneData& scene, std::uint32_
 /// The material of an instance that has triangles.
 std::uint32_t material_of(const SceneData& scene, std::uint32_t instance);
 
-Bounds bounds_of(const SceneData& scene, std::span<const std::uint32_t> triangles);
+/// Where an instance is, scene space; empty if it has no triangles.
+const Bounds& bounds_of(const SceneData& scene, std::uint32_t instance);
 
 /// Bound on how far a vertex is from where it belongs: each coordinate rounded once.
 double vertex_error(const SceneData& scene);

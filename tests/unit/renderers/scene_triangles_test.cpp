@@ -31,6 +31,11 @@ void expect_all_triangles(const SceneData& data) {
     for (std::uint32_t i = 0; i < scanned.size(); ++i) {
         const std::span<const std::uint32_t> triangles = triangles_of(data, i);
         EXPECT_EQ(std::vector(triangles.begin(), triangles.end()), scanned[i]) << "instance " << i;
+        Bounds bounds;
+        for (const std::uint32_t t : scanned[i])
+            bounds.extend(bounds_of(data.bvh.triangles[t]));
+        EXPECT_EQ(bounds_of(data, i).lower, bounds.lower) << "instance " << i;
+        EXPECT_EQ(bounds_of(data, i).upper, bounds.upper) << "instance " << i;
     }
 }
 

@@ -10,6 +10,9 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <random>
+#include <vector>
+
 namespace utsuri::test {
 namespace {
 
@@ -93,6 +96,16 @@ TEST(ViewPyramid, LeavesRoomForRounding) {
     EXPECT_TRUE(view.may_show({{beside, 0, -7}, {9, 0, -7}, {9, 1, -7}}));
 }
 
+TEST(ViewPyramid, HoldsBoxesThatReachIntoIt) {
+    const ViewPyramid view(glm::dvec3(0.0), kMinusZ, 0.0);
+    EXPECT_TRUE(view.may_show(Bounds{{-9, -9, -9}, {9, 9, 9}})) << "about the apex";
+    EXPECT_TRUE(view.may_show(Bounds{{-9, -9, -2}, {9, 9, -1}})) << "all corners outside";
+    EXPECT_TRUE(view.may_show(Bounds{{0.9f, 0, -1}, {2, 1, 0}})) << "by a corner";
+    EXPECT_FALSE(view.may_show(Bounds{{2, -9, -1}, {9, 9, 9}})) << "all beyond one side";
+    EXPECT_FALSE(view.may_show(Bounds{{-1, -1, 1}, {1, 1, 9}})) << "behind the apex";
+    EXPECT_FALSE(view.may_show(Bounds())) << "nothing in it";
+}
+
 /// A plate on +x and one on +y of the origin, of which a mirror or none is made.
 class SeenChangesOf : public testing::Test {
   protected:
@@ -131,6 +144,50 @@ TEST_F(SeenChangesOf, LightAreThoseOfTheSurfacesItFallsOn) {
     EXPECT_TRUE(seen.appearance_may_change_in(face(kPlusY), kNone));
     EXPECT_FALSE(seen.appearance_may_change_in(face(kPlusX), kNone));
     EXPECT_FALSE(seen.surfaces_may_change_in(face(kPlusY), kNone));
+}
+
+// Boxes only save tests of triangles: what they tell together is what the triangles tell.
+TEST_F(SeenChangesOf, ManyInstancesAreThoseOfTheirTriangles) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> place(-4.0f, 4.0f);
+    const auto somewhere = [&] { return glm::vec3(place(random), place(random), place(random)); };
+    for (int i = 0; i < 40; ++i)
+        add(scene_, icosphere(somewhere(), 0.4f, 1), i % 8 == 0 ? mirror() : lambert(glm::vec3(0.5f)));
+    data_ = prepare_scene_data(scene_);
+    for (std::size_t i = 0; i < 40; i += 3)
+        scene_.instances[i].world_from_object = glm::translate(glm::dmat4(1.0), glm::dvec3(0.5, 0.25, 0));
+    const SceneChange change = update_scene_data(data_, scene_);
+    ASSERT_FALSE(change.rebuilt) << change.reason;
+    std::vector<std::uint32_t> lit;
+    for (std::uint32_t t = 0; t < data_.triangle_infos.size(); t += 97)
+        lit.push_back(t);
+    const SeenChanges seen(data_, change, lit);
+    for (std::uint32_t i = 0; i < 40; ++i)
+        EXPECT_EQ(seen.has_moved(i), i % 3 == 0) << i;
+
+    int touched = 0;
+    for (int i = 0; i < 300; ++i) {
+        const ViewPyramid view(interop::CameraInfo{somewhere(), {0.1f, 0, 0}, {0, 0.1f, 0}, {0, 0, -1}});
+        const std::uint32_t without = i % 2 == 0 ? kNone : static_cast<std::uint32_t>(i % 40);
+        const auto shows = [&](std::uint32_t triangle, const interop::BvhTriangle& where) {
+            return data_.triangle_infos[triangle].instance != without && view.may_show(where);
+        };
+        bool surfaces = false;
+        for (std::size_t c = 0; c < change.triangles.size(); ++c) {
+            const std::uint32_t triangle = change.triangles[c];
+            surfaces |= shows(triangle, change.before[c]) || shows(triangle, data_.bvh.triangles[triangle]);
+        }
+        bool appearance = surfaces;
+        for (const std::uint32_t triangle : lit)
+            appearance |= shows(triangle, data_.bvh.triangles[triangle]);
+        for (std::uint32_t t = 0; t < data_.triangle_infos.size(); ++t)
+            appearance |= data_.triangle_infos[t].instance % 8 == 0 && shows(t, data_.bvh.triangles[t]);
+        EXPECT_EQ(seen.surfaces_may_change_in(view, without), surfaces) << "view " << i;
+        EXPECT_EQ(seen.appearance_may_change_in(view, without), appearance) << "view " << i;
+        touched += surfaces ? 1 : 0;
+    }
+    EXPECT_GT(touched, 0);
+    EXPECT_LT(touched, 300) << "views of both kinds";
 }
 
 TEST_F(SeenChangesOf, AnythingAreThoseOfMirrors) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/light/direct/light_reach.h"
 
+#include "renderers/scene/scene_triangles.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -13,13 +15,6 @@ namespace {
 /// the point that is tested and to the one aimed at, rays are moved off surfaces by some tens of roundings
 /// (2^-24 each), and what they meet and the test of boxes round a few times more.
 constexpr float kRounding = 0x1p-16f;
-
-Bounds box_of(const interop::BvhTriangle& triangle) {
-    Bounds box;
-    for (const glm::vec3& vertex : {triangle.v0, triangle.v1, triangle.v2})
-        box.extend(vertex);
-    return box;
-}
 
 /// Neighbours in the list are put together until there are at most `most`.
 std::vector<Bounds> joined(const std::vector<Bounds>& boxes, std::size_t most) {
@@ -34,10 +29,10 @@ bool is_infinite(const interop::LightInfo& light) {
 }
 
 /// Of the light, or of the directions to it.
-Bounds bounds_of(const SceneData& data, const interop::LightInfo& light) {
+Bounds bounds_of_light(const SceneData& data, const interop::LightInfo& light) {
     switch (light.type) {
         case interop::LIGHT_TRIANGLE:
-            return box_of(data.bvh.triangles[light.triangle]);
+            return bounds_of(data.bvh.triangles[light.triangle]);
         case interop::LIGHT_DIRECTIONAL:
             return {-light.direction, -light.direction};
         case interop::LIGHT_ENVIRONMENT:
@@ -50,7 +45,7 @@ Bounds bounds_of(const SceneData& data, const interop::LightInfo& light) {
 std::vector<Bounds> bounds_of_lights(const SceneData& data, bool infinite) {
     std::vector<Bounds> all;
     for (const interop::LightInfo& light : data.lights) {
-        if (is_infinite(light) == infinite) all.push_back(bounds_of(data, light));
+        if (is_infinite(light) == infinite) all.push_back(bounds_of_light(data, light));
     }
     return joined(all, kMostLightBounds);
 }
@@ -79,8 +74,8 @@ ChangedSpace changed_space(const SceneData& data, const SceneChange& change) {
     std::map<std::uint32_t, Places> instances;
     for (std::size_t i = 0; i < change.triangles.size(); ++i) {
         Places& places = instances[data.triangle_infos[change.triangles[i]].instance];
-        places.before.extend(box_of(change.before[i]));
-        places.after.extend(box_of(data.bvh.triangles[change.triangles[i]]));
+        places.before.extend(bounds_of(change.before[i]));
+        places.after.extend(bounds_of(data.bvh.triangles[change.triangles[i]]));
     }
     std::vector<Bounds> boxes;
     Bounds space = data.bounds;

@@ -65,6 +65,7 @@ void MeasuredFaces::reuse_from(const MeasuredFaces& previous) {
 
 void MeasuredFaces::forget(const std::function<bool(const ViewPyramid&, std::uint32_t)>& seen) {
     for (std::size_t i = 0; i < measured_.size(); ++i) {
+        if (!measured_[i]) continue;
         const interop::MeasuredView& view = views_[i / interop::DISTANCE_FACES];
         const auto face = static_cast<std::uint32_t>(i % interop::DISTANCE_FACES);
         if (size_ < kSmallestTestedSize ||

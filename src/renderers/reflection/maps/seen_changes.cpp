@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/maps/seen_changes.h"
 
+#include "renderers/scene/scene_triangles.h"
+
 #include "base/same_bits.h"
 
 #include <glm/geometric.hpp>
@@ -8,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <utility>
 
 namespace utsuri {
@@ -23,6 +27,35 @@ glm::dvec3 axis(std::uint32_t index) {
     return unit;
 }
 
+/// Whether all of some points are beyond one side of a view, with room for rounding that grows with their
+/// distance. What is beyond a side is then a convex region: with corners it holds all between them.
+bool are_beyond(const ViewPyramid& view, std::span<const glm::vec3> corners) {
+    const auto along = [](const glm::dvec3& offset, const glm::dvec3& direction) {
+        return glm::dot(offset, direction) / glm::dot(direction, direction);
+    };
+    const glm::dvec3 normal = glm::normalize(glm::cross(view.right, view.up));
+    const double per_depth = glm::dot(view.forward, normal);
+    // Of depth, and of a place in the picture, by which both are off for an offset of length one.
+    const double shorter = std::min(glm::length(view.right), glm::length(view.up));
+    const double depth_rounding = kRounding / std::abs(per_depth);
+    const double rounding =
+        kRounding / shorter + depth_rounding * (1.0 + glm::length(view.forward) / shorter);
+    // Beyond the left, right, lower and upper side.
+    std::array<std::size_t, 4> beyond{};
+    for (const glm::vec3& corner : corners) {
+        const glm::dvec3 offset = glm::dvec3(corner) - view.apex;
+        const double depth = glm::dot(offset, normal) / per_depth;
+        const double x = along(offset - depth * view.forward, view.right);
+        const double y = along(offset - depth * view.forward, view.up);
+        const double least = rounding * glm::length(offset);
+        const std::array distances = {-x - depth, x - depth, -y - depth, y - depth};
+        for (std::size_t side = 0; side < 4; ++side)
+            beyond[side] += distances[side] > least ? 1 : 0;
+    }
+    return std::any_of(beyond.begin(), beyond.end(),
+                       [&](std::size_t count) { return count == corners.size(); });
+}
+
 }  // namespace
 
 ViewPyramid::ViewPyramid(const interop::CameraInfo& camera)
@@ -35,71 +68,78 @@ ViewPyramid::ViewPyramid(const glm::dvec3& point, std::uint32_t face, double wid
       forward((face % 2 == 0 ? 1.0 : -1.0) * axis(face / 2)) {}
 
 bool ViewPyramid::may_show(const interop::BvhTriangle& triangle) const {
-    const auto along = [](const glm::dvec3& offset, const glm::dvec3& direction) {
-        return glm::dot(offset, direction) / glm::dot(direction, direction);
-    };
-    const glm::dvec3 normal = glm::normalize(glm::cross(right, up));
-    const double per_depth = glm::dot(forward, normal);
-    // Of depth, and of a place in the picture, by which both are off for an offset of length one.
-    const double shorter = std::min(glm::length(right), glm::length(up));
-    const double depth_rounding = kRounding / std::abs(per_depth);
-    const double rounding = kRounding / shorter + depth_rounding * (1.0 + glm::length(forward) / shorter);
-    // Beyond the left, right, lower and upper side.
-    std::array<int, 4> beyond{};
-    for (const glm::vec3& vertex : {triangle.v0, triangle.v1, triangle.v2}) {
-        const glm::dvec3 offset = glm::dvec3(vertex) - apex;
-        const double depth = glm::dot(offset, normal) / per_depth;
-        const double x = along(offset - depth * forward, right);
-        const double y = along(offset - depth * forward, up);
-        const double least = rounding * glm::length(offset);
-        const std::array distances = {-x - depth, x - depth, -y - depth, y - depth};
-        for (std::size_t side = 0; side < 4; ++side)
-            beyond[side] += distances[side] > least ? 1 : 0;
+    return !are_beyond(*this, std::array{triangle.v0, triangle.v1, triangle.v2});
+}
+
+bool ViewPyramid::may_show(const Bounds& box) const {
+    if (box.empty()) return false;
+    std::array<glm::vec3, 8> corners{};
+    for (std::size_t i = 0; i < 8; ++i) {
+        corners[i] = {(i & 1) != 0 ? box.upper.x : box.lower.x, (i & 2) != 0 ? box.upper.y : box.lower.y,
+                      (i & 4) != 0 ? box.upper.z : box.lower.z};
     }
-    return std::none_of(beyond.begin(), beyond.end(), [](int corners) { return corners == 3; });
+    return !are_beyond(*this, corners);
+}
+
+TriangleGroups::TriangleGroups(std::uint32_t instances) : group_of_(instances, interop::NONE) {}
+
+void TriangleGroups::add(std::uint32_t instance, std::uint32_t entry, const Bounds& box) {
+    std::uint32_t& group = group_of_[instance];
+    if (group == interop::NONE) {
+        group = static_cast<std::uint32_t>(groups_.size());
+        groups_.push_back({instance, {}, {}});
+    }
+    groups_[group].bounds.extend(box);
+    groups_[group].entries.push_back(entry);
+    bounds_.extend(box);
 }
 
 SeenChanges::SeenChanges(const SceneData& data, const SceneChange& change, std::vector<std::uint32_t> lit)
-    : data_(data), change_(change), lit_(std::move(lit)) {
-    for (std::uint32_t t = 0; t < data.triangle_infos.size(); ++t) {
-        const SurfaceFeatures& surface = data.requirements.surfaces[data.triangle_infos[t].material];
-        if (surface.glossy || surface.mirror) reflecting_.push_back(t);
+    : data_(data),
+      change_(change),
+      lit_(std::move(lit)),
+      moved_(data.requirements.instances),
+      changed_groups_(data.requirements.instances),
+      lit_groups_(data.requirements.instances) {
+    for (std::uint32_t i = 0; i < change.triangles.size(); ++i) {
+        const std::uint32_t instance = data.triangle_infos[change.triangles[i]].instance;
+        const interop::BvhTriangle& was = change.before[i];
+        const interop::BvhTriangle& is = data.bvh.triangles[change.triangles[i]];
+        if (!same_bits(was, is)) moved_[instance] = true;
+        Bounds box = bounds_of(was);
+        box.extend(bounds_of(is));
+        changed_groups_.add(instance, i, box);
     }
-}
-
-bool SeenChanges::has_moved(std::uint32_t instance) const {
-    for (std::size_t i = 0; i < change_.triangles.size(); ++i) {
-        const std::uint32_t triangle = change_.triangles[i];
-        if (data_.triangle_infos[triangle].instance == instance &&
-            !same_bits(data_.bvh.triangles[triangle], change_.before[i]))
-            return true;
+    for (const std::uint32_t triangle : lit_) {
+        lit_groups_.add(data.triangle_infos[triangle].instance, triangle,
+                        bounds_of(data.bvh.triangles[triangle]));
     }
-    return false;
+    const Requirements& needs = data.requirements;
+    std::set_union(needs.reflective_instances.begin(), needs.reflective_instances.end(),
+                   needs.glossy_instances.begin(), needs.glossy_instances.end(),
+                   std::back_inserter(reflecting_));
 }
 
 bool SeenChanges::surfaces_may_change_in(const ViewPyramid& view, std::uint32_t without) const {
-    for (std::size_t i = 0; i < change_.triangles.size(); ++i) {
-        const std::uint32_t triangle = change_.triangles[i];
-        if (data_.triangle_infos[triangle].instance == without) continue;
-        if (view.may_show(data_.bvh.triangles[triangle]) || view.may_show(change_.before[i])) return true;
-    }
-    return false;
+    return changed_groups_.any_in(view, without, [&](std::uint32_t i) {
+        return view.may_show(data_.bvh.triangles[change_.triangles[i]]) || view.may_show(change_.before[i]);
+    });
 }
 
 bool SeenChanges::appearance_may_change_in(const ViewPyramid& view, std::uint32_t without) const {
     if (empty()) return false;
-    if (change_.surroundings || surfaces_may_change_in(view, without) || shows_reflections(view, without))
-        return true;
-    return std::any_of(lit_.begin(), lit_.end(), [&](std::uint32_t triangle) {
-        return data_.triangle_infos[triangle].instance != without &&
-               view.may_show(data_.bvh.triangles[triangle]);
-    });
+    const auto shows = [&](std::uint32_t triangle) { return view.may_show(data_.bvh.triangles[triangle]); };
+    return change_.surroundings || surfaces_may_change_in(view, without) ||
+           shows_reflections(view, without) || lit_groups_.any_in(view, without, shows);
 }
 
 bool SeenChanges::shows_reflections(const ViewPyramid& view, std::uint32_t without) const {
-    return std::any_of(reflecting_.begin(), reflecting_.end(), [&](std::uint32_t triangle) {
-        return data_.triangle_infos[triangle].instance != without &&
-               view.may_show(data_.bvh.triangles[triangle]);
+    return std::any_of(reflecting_.begin(), reflecting_.end(), [&](std::uint32_t instance) {
+        if (instance == without || !view.may_show(bounds_of(data_, instance))) return false;
+        const std::span<const std::uint32_t> triangles = triangles_of(data_, instance);
+        return std::any_of(triangles.begin(), triangles.end(), [&](std::uint32_t triangle) {
+            return view.may_show(data_.bvh.triangles[triangle]);
+        });
     });
 }
 

@@ -24,7 +24,8 @@ constexpr std::size_t kSurfaceSamples = 16;
 /// Whether most of a spread of points on the instance are outside other geometry. An instance whose surface
 /// sees as many backs as its centre is not buried: the scene just shows it backs, like a room modelled inside
 /// out.
-bool is_exposed(const SceneData& scene, std::uint32_t instance, std::span<const std::uint32_t> triangles) {
+bool is_exposed(const SceneData& scene, std::uint32_t instance) {
+    const std::span<const std::uint32_t> triangles = triangles_of(scene, instance);
     const std::size_t step = std::max<std::size_t>(1, triangles.size() / kSurfaceSamples);
     std::size_t samples = 0;
     std::size_t inside = 0;
@@ -68,12 +69,10 @@ bool is_inside_geometry(const SceneData& scene, std::uint32_t instance, const gl
 }
 
 glm::dvec3 find_capture_point(const SceneData& scene, std::uint32_t instance) {
-    const std::span<const std::uint32_t> triangles = triangles_of(scene, instance);
-    const Bounds bounds = bounds_of(scene, triangles);
+    const Bounds& bounds = bounds_of(scene, instance);
     if (bounds.empty()) return glm::dvec3(0.0);
     const glm::dvec3 centre = 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
-    if (!is_inside_geometry(scene, instance, centre) || !is_exposed(scene, instance, triangles))
-        return centre;
+    if (!is_inside_geometry(scene, instance, centre) || !is_exposed(scene, instance)) return centre;
     return move_out(scene, instance, centre, 0.5 * glm::length(glm::dvec3(bounds.extent())));
 }
 

@@ -15,7 +15,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <span>
 
 namespace utsuri {
 namespace {
@@ -28,11 +27,10 @@ constexpr std::uint32_t kPlaceKey = 1;
 /// The triangles of an instance, to choose points of its area from.
 class Area {
   public:
-    Area(const SceneData& scene, std::uint32_t instance) : scene_(scene) {
+    Area(const SceneData& scene, std::uint32_t instance)
+        : scene_(scene), bounds_(bounds_of(scene, instance)) {
         double sum = 0.0;
-        const std::span<const std::uint32_t> all = triangles_of(scene, instance);
-        bounds_ = bounds_of(scene, all);
-        for (const std::uint32_t triangle : all) {
+        for (const std::uint32_t triangle : triangles_of(scene, instance)) {
             const double area = glm::length(doubled_area(corners_of(scene, triangle)));
             if (!(area > 0.0)) continue;
             sum += area;

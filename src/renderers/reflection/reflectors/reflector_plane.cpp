@@ -48,10 +48,9 @@ double openness(const SceneData& scene, std::uint32_t instance, const glm::dvec3
 }  // namespace
 
 std::optional<MirrorPlane> plane_of(const SceneData& scene, std::uint32_t instance) {
-    const std::span<const std::uint32_t> own = triangles_of(scene, instance);
-    std::optional<MirrorPlane> plane = common_plane(scene, own);
+    std::optional<MirrorPlane> plane = common_plane(scene, triangles_of(scene, instance));
     if (!plane) return plane;
-    const Bounds bounds = bounds_of(scene, own);
+    const Bounds& bounds = bounds_of(scene, instance);
     const glm::dvec3 point = 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
     if (openness(scene, instance, point, -plane->normal) > openness(scene, instance, point, plane->normal))
         plane = MirrorPlane{-plane->normal, -plane->distance};
