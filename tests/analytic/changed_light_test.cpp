@@ -8,6 +8,7 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -132,6 +133,25 @@ class ChangedLight : public DeviceTest {
         return light;
     }
 
+    struct Kept {
+        std::vector<interop::LightCacheTriangle> lattices;
+        Points points;
+    };
+    [[nodiscard]] Kept kept() const { return {light_->lattices(), light_->points()}; }
+
+    /// Triangles with other points, or with other light at them, ascending.
+    static std::vector<std::uint32_t> differing_triangles(const Kept& a, const Kept& b) {
+        std::vector<std::uint32_t> differing;
+        for (std::uint32_t t = 0; t < a.lattices.size(); ++t) {
+            const std::uint64_t bytes = lattice_points(b.lattices[t]) * sizeof(interop::LightCachePoint);
+            const bool same = same_lattice(a.lattices[t], b.lattices[t]) &&
+                              std::memcmp(a.points.data() + a.lattices[t].first_point,
+                                          b.points.data() + b.lattices[t].first_point, bytes) == 0;
+            if (!same) differing.push_back(t);
+        }
+        return differing;
+    }
+
     static std::size_t different_points(const LightCache& a, const LightCache& b) {
         const Points of_a = a.points();
         const Points of_b = b.points();
@@ -169,6 +189,43 @@ TEST_F(ChangedLight, IsThatOfASceneWhichWasAlwaysSo) {
         }
         EXPECT_LE(static_cast<double>(rays), lit.most_rays * static_cast<double>(rays_anew));
     }
+}
+
+// Each update compares with what the one before it read; points stay, or are others on some triangles.
+TEST_F(ChangedLight, IsToldByTheTrianglesThatSendItOut) {
+    Scene scene = unlit_scene();
+    scene.lights.push_back(lamp(LightType::point, {0.5, 1.75, 0.25}, {0, -1, 0}));
+    prepare(scene);
+    const glm::dmat4 here(1.0);
+    const std::array places = {
+        glm::translate(here, glm::dvec3(0.25, 0, 0.25)), glm::translate(here, glm::dvec3(-0.5, 0.25, 0)),
+        glm::scale(here, glm::dvec3(2.0)), glm::rotate(here, 0.5, glm::dvec3(0, 1, 0)), here};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Kept before = kept();
+        follow(with_block_moved(scene, places[i]));
+        EXPECT_FALSE(light_->changed().empty()) << "step " << i;
+        EXPECT_EQ(light_->changed(), differing_triangles(before, kept())) << "step " << i;
+    }
+}
+
+TEST_F(ChangedLight, IsAllOfItAfterAnUpdateThatWasInterrupted) {
+    struct Cancelled : Progress {
+        [[nodiscard]] bool cancelled() const override { return true; }
+    } cancelled;
+    Scene scene = unlit_scene();
+    scene.lights.push_back(lamp(LightType::point, {0.5, 1.75, 0.25}, {0, -1, 0}));
+    prepare(scene);
+    const Scene moved = with_block_moved(scene, glm::translate(glm::dmat4(1.0), glm::dvec3(0.25, 0, 0.25)));
+    follow(moved);
+    const SceneChange back = change(scene);
+    EXPECT_THROW(light_->update(back, cancelled), Interrupted);
+    light_->fill(silent_);
+    EXPECT_EQ(light_->changed().size(), data_.triangle_infos.size());
+    EXPECT_EQ(different_points(*light_, *anew()), 0u);
+    const Kept before = kept();
+    follow(moved);
+    EXPECT_EQ(light_->changed(), differing_triangles(before, kept()));
+    EXPECT_EQ(different_points(*light_, *anew()), 0u);
 }
 
 // On triangles thinner than rounding allows for, light is simulated a good way off the point it is kept at;

@@ -3,6 +3,8 @@
 
 #include "renderers/light/direct/lattice_plan.h"
 
+#include "base/error.h"
+#include "base/same_bits.h"
 #include "base/stopwatch.h"
 #include "gpu/dispatch_budget.h"
 
@@ -13,6 +15,7 @@
 #include <algorithm>
 #include <cstring>
 #include <numeric>
+#include <utility>
 
 namespace utsuri {
 namespace {
@@ -103,6 +106,7 @@ void LightCache::make_buffers(Lattices planned) {
 
 void LightCache::fill(Progress& progress) {
     if (is_filled()) return;
+    last_read_.clear();
     light_.fill_with_zero();
     simulate(all_space().boxes, progress);
     changed_.resize(lattices_.size());
@@ -114,19 +118,19 @@ void LightCache::update(const SceneChange& change, Progress& progress) {
     Lattices planned = plan();
     if (!revision_) return make_buffers(std::move(planned));
     const ChangedSpace changed = change.lights ? all_space() : changed_space(data_, change);
-    const Points before = points();
+    const Points before = last_read_.empty() ? points() : std::exchange(last_read_, {});
     const Lattices were = lattices_;
     const bool keeps = may_keep(planned, changed);
     make_buffers(std::move(planned));
-    if (keeps) {
+    if (!keeps) {
+        light_.fill_with_zero();
+    } else if (!same_bits(were, lattices_)) {
         const Points kept = renumbered(before, were, lattices_);
         light_.upload(std::as_bytes(std::span(kept)));
-        simulate(changed.boxes, progress);
-    } else {
-        light_.fill_with_zero();
-        simulate(all_space().boxes, progress);
     }
-    changed_ = changed_triangles({were, before}, {lattices_, points()});
+    simulate(keeps ? changed.boxes : all_space().boxes, progress);
+    last_read_ = points();
+    changed_ = changed_triangles({were, before}, {lattices_, last_read_});
 }
 
 bool LightCache::may_keep(const Lattices& planned, const ChangedSpace& changed) const {

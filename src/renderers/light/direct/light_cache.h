@@ -57,6 +57,9 @@ class LightCache : public SurfaceLight {
     Lattices lattices_;
     Buffer triangles_;
     Buffer light_;
+    /// What is in light_, as the last update() read it; empty before the first one. The next update finds
+    /// here what it compares with, and need not read it again.
+    Points last_read_;
     DeviceCounters counters_;
 };
 
