@@ -2,13 +2,17 @@
 #include "geometry/bvh.h"
 
 #include "base/check.h"
+#include "base/same_bits.h"
 #include "geometry/binary_bvh.h"
 #include "geometry/bounds.h"
 #include "geometry/node_boxes.h"
 #include "geometry/wide_bvh.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace utsuri {
 namespace {
@@ -37,6 +41,18 @@ Bounds bounds_of(const Bvh& bvh, const SlotContent& content, const std::vector<B
     return bounds;
 }
 
+/// Whether a triangle in a slot moved.
+/// @param nodes whether one below each node did
+bool has_moved(const std::vector<interop::BvhTriangle>& before, const Bvh& bvh, const SlotContent& content,
+               const std::vector<bool>& nodes) {
+    if (content.is_node) return nodes[content.node];
+    for (std::uint32_t t = 0; t < content.triangle_count; ++t) {
+        const std::uint32_t triangle = content.first_triangle + t;
+        if (!same_bits(before[triangle], bvh.triangles[triangle])) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 Bvh build_bvh(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
@@ -52,17 +68,29 @@ Bvh build_bvh(std::span<const glm::vec3> positions, std::span<const glm::uvec3> 
 
 void refit(Bvh& bvh, std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles) {
     UTSURI_CHECK_EQ(triangles.size(), bvh.order.size());
-    bvh.triangles = in_device_order(positions, triangles, bvh.order);
+    const std::vector<interop::BvhTriangle> before =
+        std::exchange(bvh.triangles, in_device_order(positions, triangles, bvh.order));
     if (bvh.triangles.empty()) return;
-    std::vector<Bounds> nodes(bvh.nodes.size());
+    const bool knows_bounds = !bvh.node_bounds.empty();
+    bvh.node_bounds.resize(bvh.nodes.size());
+    std::vector<bool> moved(bvh.nodes.size());
     // Children come after their parents.
     for (std::size_t n = bvh.nodes.size(); n-- > 0;) {
+        std::array<SlotContent, interop::BVH_WIDTH> slots;
+        for (std::uint32_t slot = 0; slot < interop::BVH_WIDTH; ++slot)
+            slots[slot] = slot_content(bvh.nodes[n], slot);
+        moved[n] = !knows_bounds || std::any_of(slots.begin(), slots.end(), [&](const SlotContent& content) {
+            return has_moved(before, bvh, content, moved);
+        });
+        if (!moved[n]) continue;
         SlotBoxes boxes;
-        for (std::uint32_t slot = 0; slot < interop::BVH_WIDTH; ++slot) {
-            boxes[slot] = bounds_of(bvh, slot_content(bvh.nodes[n], slot), nodes);
-            nodes[n].extend(boxes[slot]);
+        Bounds bounds;
+        for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+            boxes[slot] = bounds_of(bvh, slots[slot], bvh.node_bounds);
+            bounds.extend(boxes[slot]);
         }
-        set_boxes(bvh.nodes[n], nodes[n], boxes);
+        bvh.node_bounds[n] = bounds;
+        set_boxes(bvh.nodes[n], bounds, boxes);
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "geometry/bounds.h"
+
 #include "interop/bvh.h"
 
 #include <glm/vec3.hpp>
@@ -17,6 +19,9 @@ struct Bvh {
     std::vector<interop::BvhTriangle> triangles;  ///< in device order
     std::vector<std::uint32_t> order;             ///< order[device triangle] = input triangle
     std::uint32_t depth = 1;                      ///< at most interop::BVH_MAX_DEPTH
+    /// Of what is in each node, before it is quantised: kept by refit() for the next one, empty before the
+    /// first.
+    std::vector<Bounds> node_bounds;
 };
 
 /// Builds the BVH of a triangle soup; see binary_bvh.h and wide_bvh.h for the methods and their guarantees.
@@ -24,9 +29,10 @@ struct Bvh {
 /// @param triangles indices into positions, in range
 Bvh build_bvh(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);
 
-/// Moves the triangles of a BVH: which nodes there are and what they hold stays, their boxes are made anew.
-/// Rays find the same as with a BVH of the moved triangles, the slower the farther these went each its own
-/// way.
+/// Moves the triangles of a BVH: which nodes there are and what they hold stays, the boxes above triangles
+/// that moved are made anew, at the first call all of them. The result depends on where the triangles are,
+/// not on the steps that they took. Rays find the same as with a BVH of the moved triangles, the slower the
+/// farther these went each its own way.
 /// @param positions finite vertices, metres
 /// @param triangles indices into positions, in range; as many as the BVH has, in the order of its input
 void refit(Bvh& bvh, std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles);

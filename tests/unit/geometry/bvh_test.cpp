@@ -14,6 +14,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <random>
 #include <string>
 
 namespace utsuri {
@@ -207,6 +208,28 @@ TEST_P(BvhOf, RefittedToOtherPlacesPassesTheChecker) {
     EXPECT_EQ(bvh.order, order);
     for (std::size_t i = 0; i < bvh.order.size(); ++i)
         ASSERT_EQ(bvh.triangles[i].v1, moved.positions[moved.triangles[bvh.order[i]].y]);
+}
+
+// Steps make anew only what is above triangles that they move; from the start, all is.
+TEST_P(BvhOf, RefittedStepByStepIsAsRefittedAtOnce) {
+    const TriangleSoup& soup = GetParam().soup;
+    const Bvh built = build_bvh(soup.positions, soup.triangles);
+    TriangleSoup moved = soup;
+    Bvh stepwise = built;
+    std::mt19937 random(11);
+    for (int step = 0; step < 6; ++step) {
+        const std::size_t count = moved.positions.empty() || step == 3 ? 0 : 1 + moved.positions.size() / 200;
+        for (std::size_t i = 0; i < count; ++i) {
+            glm::vec3& position = moved.positions[random() % moved.positions.size()];
+            position = {position.y, position.z, 0.5f * position.x};
+        }
+        refit(stepwise, moved.positions, moved.triangles);
+        Bvh at_once = built;
+        refit(at_once, moved.positions, moved.triangles);
+        ASSERT_TRUE(same_bytes(stepwise.nodes, at_once.nodes)) << "step " << step;
+        ASSERT_TRUE(same_bytes(stepwise.triangles, at_once.triangles)) << "step " << step;
+    }
+    EXPECT_EQ(check_bvh(stepwise, soup.triangles.size()), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Inputs, BvhOf, testing::ValuesIn(inputs()),
