@@ -9,9 +9,8 @@ namespace utsuri {
 namespace {
 
 template <typename Errors>
-std::vector<Errors> no_reflection_errors(const RenderSettings& settings) {
-    return std::vector<Errors>(std::size_t{settings.width} * settings.height,
-                               Errors{-1.0f, -1.0f, -1.0f, -1.0f});
+std::vector<Errors> no_reflections(const RenderSettings& settings) {
+    return std::vector<Errors>(std::size_t{settings.width} * settings.height, kNoReflection<Errors>);
 }
 
 }  // namespace
@@ -41,6 +40,10 @@ void MappedView::warm_up() {
     prepare_view();
 }
 
+interop::CameraInfo MappedView::camera_info() const {
+    return make_camera_info(camera_, data_.origin, settings_.width, settings_.height);
+}
+
 void MappedView::set_camera(const Camera& camera) {
     camera_ = camera;
     has_moved_ = true;
@@ -59,8 +62,7 @@ double MappedView::prepare_view() {
 }
 
 void MappedView::record(const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) const {
-    drawer_.record(commands, make_camera_info(camera_, data_.origin, settings_.width, settings_.height),
-                   frame);
+    drawer_.record(commands, camera_info(), frame);
 }
 
 PredictionDrawer& MappedView::prediction_drawer() {
@@ -83,15 +85,13 @@ float MappedView::searching_tolerance() const {
 }
 
 std::vector<PredictedError> MappedView::predict_errors() {
-    if (!reflectors_) return no_reflection_errors<PredictedError>(settings_);
-    return prediction_drawer().predict(
-        make_camera_info(camera_, data_.origin, settings_.width, settings_.height), searching_tolerance());
+    if (!reflectors_) return no_reflections<PredictedError>(settings_);
+    return prediction_drawer().predict(camera_info(), searching_tolerance());
 }
 
 std::vector<MeasuredError> MappedView::measure_errors() {
-    if (!reflectors_) return no_reflection_errors<MeasuredError>(settings_);
-    return prediction_drawer().measure(
-        make_camera_info(camera_, data_.origin, settings_.width, settings_.height), searching_tolerance());
+    if (!reflectors_) return no_reflections<MeasuredError>(settings_);
+    return prediction_drawer().measure(camera_info(), searching_tolerance());
 }
 
 }  // namespace utsuri

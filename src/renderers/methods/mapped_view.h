@@ -33,6 +33,7 @@ class MappedView : public ViewDrawer {
 
   private:
     [[nodiscard]] std::unique_ptr<ReflectorDrawer> make_reflectors() const;
+    [[nodiscard]] interop::CameraInfo camera_info() const;
     /// Made when it is first needed.
     PredictionDrawer& prediction_drawer();
     /// Up to what prediction no search is made, in pixels.

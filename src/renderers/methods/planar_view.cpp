@@ -103,19 +103,18 @@ PredictionDrawer& PlanarView::prediction_drawer() {
 }
 
 template <typename Errors, typename Tell>
-std::vector<Errors> PlanarView::find_errors(const Errors& of_view, const Errors& without_view, Tell tell) {
-    std::vector<Errors> errors(std::size_t{settings_.width} * settings_.height, {-1.0f, -1.0f, -1.0f, -1.0f});
-    if (maps_.has_distances()) {
-        errors = tell(prediction_drawer(), camera_info());
-    }
-    const std::vector<glm::vec4> pixels = picture_pixels(device_, picture());
+std::vector<Errors> PlanarView::find_errors(const std::vector<glm::vec4>& pixels, const Errors& of_view,
+                                            const Errors& without_view, Tell tell) {
+    std::vector<Errors> errors = maps_.has_distances()
+                                     ? tell(prediction_drawer(), camera_info())
+                                     : std::vector<Errors>(pixels.size(), kNoReflection<Errors>);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (shows_mirrored_view(pixels[i].w)) {
             errors[i] = of_view;
         } else if (shows_plane_mirror(pixels[i].w)) {
             errors[i] = without_view;
         } else if (pixels[i].w == interop::DRAWN_PLAIN) {
-            errors[i] = {-1.0f, -1.0f, -1.0f, -1.0f};  // what is curved is behind it
+            errors[i] = kNoReflection<Errors>;  // what is curved is behind it
         }
     }
     return errors;
@@ -123,7 +122,7 @@ std::vector<Errors> PlanarView::find_errors(const Errors& of_view, const Errors&
 
 std::vector<PredictedError> PlanarView::predict_errors() {
     const auto tolerance = static_cast<float>(map_settings_.tolerance.most);
-    return find_errors<PredictedError>({0.0f, 0.0f, 0.0f, 0.0f},
+    return find_errors<PredictedError>(picture_pixels(device_, picture()), {0.0f, 0.0f, 0.0f, 0.0f},
                                        {std::numbers::pi_v<float>, 0.0f, 0.0f, kInfinity},
                                        [&](PredictionDrawer& drawer, const interop::CameraInfo& camera) {
                                            return drawer.predict(camera, tolerance);
@@ -133,12 +132,13 @@ std::vector<PredictedError> PlanarView::predict_errors() {
 std::vector<MeasuredError> PlanarView::measure_errors() {
     const auto tolerance = static_cast<float>(map_settings_.tolerance.most);
     constexpr MeasuredError kOfPlaneMirror = {0.0f, 0.0f, 0.0f, 1.0f};  // distances follow
-    std::vector<MeasuredError> errors = find_errors<MeasuredError>(
-        kOfPlaneMirror, kOfPlaneMirror, [&](PredictionDrawer& drawer, const interop::CameraInfo& camera) {
-            return drawer.measure(camera, tolerance);
-        });
-    const interop::CameraInfo camera = camera_info();
     const std::vector<glm::vec4> pixels = picture_pixels(device_, picture());
+    std::vector<MeasuredError> errors =
+        find_errors<MeasuredError>(pixels, kOfPlaneMirror, kOfPlaneMirror,
+                                   [&](PredictionDrawer& drawer, const interop::CameraInfo& camera) {
+                                       return drawer.measure(camera, tolerance);
+                                   });
+    const interop::CameraInfo camera = camera_info();
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (!shows_plane_mirror(pixels[i].w)) continue;
         const glm::vec2 centre(static_cast<float>(i % settings_.width) + 0.5f,

@@ -6,6 +6,8 @@
 #include "renderers/reflection/planar/planar_drawer.h"
 #include "renderers/reflection/raster/prediction_drawer.h"
 
+#include <glm/vec4.hpp>
+
 #include <optional>
 #include <vector>
 
@@ -45,8 +47,10 @@ class PlanarView : public ViewDrawer {
     /// Of curved mirrors; made when it is first needed.
     PredictionDrawer& prediction_drawer();
     /// Errors of curved mirrors, as `tell` tells them, and of plane ones.
+    /// @param pixels of picture()
     template <typename Errors, typename Tell>
-    std::vector<Errors> find_errors(const Errors& of_view, const Errors& without_view, Tell tell);
+    std::vector<Errors> find_errors(const std::vector<glm::vec4>& pixels, const Errors& of_view,
+                                    const Errors& without_view, Tell tell);
 
     Device& device_;
     const SceneData& data_;

@@ -13,13 +13,12 @@
 #include "kernels/predict_reflection_frag.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <numeric>
 
 namespace utsuri {
 namespace {
-
-constexpr std::array<float, 4> kNoMirror = {-1.0f, -1.0f, -1.0f, -1.0f};
 
 std::vector<std::uint32_t> numbers_below(std::uint32_t count) {
     std::vector<std::uint32_t> numbers(count);
@@ -84,9 +83,10 @@ std::vector<glm::vec4> PredictionDrawer::draw(const Stage& stage, const interop:
     frame.tolerance = tolerance;
     interop::ViewPush push{};
     push.camera = camera;
+    constexpr auto kNothing = std::bit_cast<std::array<float, 4>>(kNoReflection<PredictedError>);
     device_.run("draw errors of reflections", [&](const vk::raii::CommandBuffer& commands) {
         frame_.record_update(commands, std::as_bytes(std::span(&frame, 1)));
-        draw_into(commands, colour_, depth_, kNoMirror, [&] {
+        draw_into(commands, colour_, depth_, kNothing, [&] {
             depth_pass_.draw(commands, depth_bindings_, push, 0, triangle_count_);
             stage.pipeline.draw(commands, stage.bindings, push, 0, polygon_count_);
         });
