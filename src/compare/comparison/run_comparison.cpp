@@ -21,14 +21,7 @@ std::string file_stem(const Method& method) {
     return name;
 }
 
-struct Rendered {
-    MethodResult result;
-    std::optional<NoiseEstimate> noise;
-    Image half;
-};
-
-Rendered render(Session& session, const PictureSettings& settings, std::uint32_t samples,
-                Progress& progress) {
+Picture render(Session& session, const PictureSettings& settings, std::uint32_t samples, Progress& progress) {
     session.reset_peak_memory();
     Picture picture = session.make_picture(settings);
     if (settings.method.reflection->traits.looks_up_maps)
@@ -36,17 +29,20 @@ Rendered render(Session& session, const PictureSettings& settings, std::uint32_t
     picture.prepare(progress);
     progress.begin(fmt::format("{}, {} samples per pixel", settings.title, samples));
     picture.add_samples(samples, progress);
-
-    Rendered rendered;
-    if (picture.samples() >= 2 && picture.samples() % 2 == 0) rendered.noise = picture.noise();
-    rendered.half = picture.half_image(0);
-    rendered.result = collect_result(settings, picture, session.memory());
-    return rendered;
+    return picture;
 }
 
 /// Exact wherever it goes.
 const ReflectionMethod& reference_reflection() {
     return find_reflection("trace");
+}
+
+MethodResult render_method(Session& session, const Camera& camera, const Method& method,
+                           const ComparisonSettings& settings, Progress& progress) {
+    const PictureSettings picture_settings{method, camera, settings.render, settings.maps,
+                                           method_name(method)};
+    const Picture picture = render(session, picture_settings, settings.samples, progress);
+    return collect_result(picture_settings, picture, session.memory());
 }
 
 /// After all methods have been timed, so that drivers do not know a method's pipelines from predictions.
@@ -73,6 +69,29 @@ void add_reflection_errors(Comparison& comparison, Session& session, const Camer
     }
 }
 
+/// The reference with its noise and exposure, into a comparison.
+void add_reference(Comparison& comparison, Session& session, const Camera& camera,
+                   const ComparisonSettings& settings, Progress& progress) {
+    // It has samples of its own: with the methods' seed its errors would be theirs.
+    RenderSettings render_settings = settings.render;
+    render_settings.seed = ~settings.render.seed;
+    const Method method{settings.light, &reference_reflection()};
+    const PictureSettings picture_settings{method, camera, render_settings, settings.maps,
+                                           fmt::format("reference {}", method_name(method))};
+    const Picture picture = render(session, picture_settings, settings.reference_samples, progress);
+    if (picture.samples() == 0) throw Interrupted();
+    comparison.reference = collect_result(picture_settings, picture, session.memory());
+    comparison.reference.image_file = "reference.exr";
+    comparison.reference_half = picture.half_image(0);
+    const double scale = normalisation(comparison.reference.image);
+    std::optional<NoiseEstimate> noise;
+    if (picture.samples() % 2 == 0) noise = picture.noise();
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    comparison.reference_noise = noise ? noise->relative : kUnknown;
+    comparison.reference_noise_mse = noise ? noise->mse * scale * scale : kUnknown;
+    comparison.exposure = settings.exposure.value_or(auto_exposure(comparison.reference.image));
+}
+
 }  // namespace
 
 Comparison run_comparison(Session& session, const Camera& camera, const ComparisonSettings& settings,
@@ -89,31 +108,11 @@ Comparison run_comparison(Session& session, const Camera& camera, const Comparis
     comparison.reflective_pixels =
         static_cast<std::uint64_t>(std::count(comparison.reflective.begin(), comparison.reflective.end(), 1));
 
-    // The reference has samples of its own: with the methods' seed its errors would be theirs.
-    RenderSettings reference_settings = settings.render;
-    reference_settings.seed = ~settings.render.seed;
-    const Method reference_method{settings.light, &reference_reflection()};
-    Rendered reference = render(session,
-                                {reference_method, camera, reference_settings, settings.maps,
-                                 fmt::format("reference {}", method_name(reference_method))},
-                                settings.reference_samples, progress);
-    if (reference.result.samples == 0) throw Interrupted();
-    comparison.reference = std::move(reference.result);
-    comparison.reference_half = std::move(reference.half);
-    comparison.reference.image_file = "reference.exr";
-    const double scale = normalisation(comparison.reference.image);
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    comparison.reference_noise = reference.noise ? reference.noise->relative : kUnknown;
-    comparison.reference_noise_mse = reference.noise ? reference.noise->mse * scale * scale : kUnknown;
-    comparison.exposure = settings.exposure.value_or(auto_exposure(comparison.reference.image));
-
+    add_reference(comparison, session, camera, settings, progress);
     for (const Method& method : settings.methods) {
         if (progress.cancelled()) break;
         try {
-            MethodResult result =
-                render(session, {method, camera, settings.render, settings.maps, method_name(method)},
-                       settings.samples, progress)
-                    .result;
+            MethodResult result = render_method(session, camera, method, settings, progress);
             if (result.samples == 0) break;
             progress.begin(fmt::format("{}, measuring", method_name(method)));
             measure_errors(comparison, result);
