@@ -143,17 +143,9 @@ LightSettings PictureOptions::light_settings() const {
     return settings;
 }
 
-void add_common_options(CLI::App& command, CommonOptions& options) {
-    command.add_option("--device", options.device, "Vulkan device: index or part of its name [fastest kind]")
-        ->envname("UTSURI_DEVICE")
-        ->group("General");
-    command.add_flag("--quiet,-q", options.quiet, "No progress line and no summary")->group("General");
-    command.add_option("--json", options.json, "Write the result as JSON to FILE, or - for standard output")
-        ->type_name("FILE")
-        ->group("General");
-}
+namespace {
 
-void add_picture_options(CLI::App& command, PictureOptions& options) {
+void add_view_options(CLI::App& command, PictureOptions& options) {
     command.add_option("--size", options.size, "Picture size in pixels")
         ->type_name("WxH")
         ->capture_default_str();
@@ -164,6 +156,10 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     command.add_option("--depth", options.depth, "Most reflections by mirrors and glossy lobes followed")
         ->check(CLI::Range(0u, 1000000u))
         ->capture_default_str();
+}
+
+/// How finely maps and kept light are sampled, and what the latter lights.
+void add_sampling_options(CLI::App& command, PictureOptions& options) {
     command
         .add_option(
             "--map-size", options.map_size,
@@ -186,6 +182,10 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         "--kept-light", options.kept_light,
         "Light traced pictures, too, from the light kept on surfaces: methods then differ by their "
         "reflections");
+}
+
+/// Where maps are captured from, and what stands in for what they show.
+void add_map_options(CLI::App& command, PictureOptions& options) {
     command
         .add_option("--capture-point", options.capture_point,
                     "Where maps are captured, in metres [centre of each reflective object]")
@@ -210,6 +210,10 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
                     "for all objects: a file of planes, x y z distance a line, normals out of the "
                     "convex polyhedron, distances from the world's origin in metres [fitted to each object]")
         ->type_name("FILE");
+}
+
+/// How far off reflections may be.
+void add_accuracy_options(CLI::App& command, PictureOptions& options) {
     command
         .add_option("--polygon-edge", options.polygon_edge,
                     "Cut reflectors into polygons with edges of at most so many metres [as modelled]")
@@ -226,6 +230,25 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
                     "share of its radiance, such as 5%; where more is predicted, a ray is traced")
         ->type_name("PIXELS|PERCENT%")
         ->capture_default_str();
+}
+
+}  // namespace
+
+void add_common_options(CLI::App& command, CommonOptions& options) {
+    command.add_option("--device", options.device, "Vulkan device: index or part of its name [fastest kind]")
+        ->envname("UTSURI_DEVICE")
+        ->group("General");
+    command.add_flag("--quiet,-q", options.quiet, "No progress line and no summary")->group("General");
+    command.add_option("--json", options.json, "Write the result as JSON to FILE, or - for standard output")
+        ->type_name("FILE")
+        ->group("General");
+}
+
+void add_picture_options(CLI::App& command, PictureOptions& options) {
+    add_view_options(command, options);
+    add_sampling_options(command, options);
+    add_map_options(command, options);
+    add_accuracy_options(command, options);
     command.add_option("--exposure", options.exposure, "Exposure of display images in stops [automatic]")
         ->check(finite_range(-kMostStops, kMostStops));
 }
