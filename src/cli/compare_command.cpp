@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/command.h"
 #include "cli/output.h"
-#include "cli/progress_line.h"
 #include "cli/scene_session.h"
 #include "compare/comparison/comparison_json.h"
 #include "compare/comparison/comparison_table.h"
 #include "compare/comparison/run_comparison.h"
 #include "compare/comparison/write_comparison.h"
-
-#include "base/file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -32,15 +29,6 @@ struct CompareOptions {
     bool predictions = false;
 };
 
-std::vector<Method> wanted_methods(const CompareOptions& options) {
-    const LightMethod& light = find_light(options.light);
-    if (options.methods.empty()) return all_methods(light);
-    std::vector<Method> methods;
-    for (const std::string& name : split_list(options.methods))
-        methods.push_back({&light, &find_reflection(name)});
-    return methods;
-}
-
 /// Whether a method is farther from the reference than the user allows.
 bool differs(const Comparison& comparison, const CompareOptions& options) {
     if (!options.fail_above) return false;
@@ -54,41 +42,34 @@ bool differs(const Comparison& comparison, const CompareOptions& options) {
     return any;
 }
 
-ExitCode compare(const CompareOptions& options, const std::string& command_line) {
+ComparisonSettings settings_of(const CompareOptions& options) {
     ComparisonSettings settings;
     settings.render = options.picture.render_settings();
     settings.maps = options.picture.map_settings();
     settings.light = &find_light(options.light);
-    settings.methods = wanted_methods(options);
+    settings.methods = listed_methods(*settings.light, options.methods);
     settings.samples = options.samples;
     settings.reference_samples = options.reference_samples + options.reference_samples % 2;
     settings.exposure = options.picture.exposure;
     settings.predictions = options.predictions;
-    const std::filesystem::path scene_path(options.scene);
-    const std::filesystem::path folder =
-        options.folder.empty() ? "compare-" + scene_path.stem().string() : options.folder;
+    return settings;
+}
 
-    const LoadedScene loaded = load_scene(scene_path);
-    const Camera& camera = choose_camera(loaded.scene, options.picture.camera);
-    Session session = make_session(options.common, options.picture.light_settings());
-    make_output_folder(folder);
-    ProgressLine progress(options.common.quiet);
-    progress.begin("building the BVH");
-    session.set_scene(loaded.scene);
-    Comparison comparison = run_comparison(session, camera, settings, progress);
-    comparison.scene = options.scene;
-    comparison.command = command_line;
-    comparison.import_seconds = loaded.import_seconds;
-    comparison.notes = loaded.notes;
-    progress.begin("writing the report");
+ExitCode compare(const CompareOptions& options, const std::string& command_line) {
+    const ComparisonSettings settings = settings_of(options);
+    const std::filesystem::path folder = result_folder(options.folder, "compare", options.scene);
+    SceneSession scene(options.common, options.picture, options.scene, folder);
+    Comparison comparison = run_comparison(scene.session(), scene.camera(), settings, scene.progress());
+    scene.describe(comparison, options.scene, command_line);
+    scene.progress().begin("writing the report");
     write_comparison(comparison, folder);
-    progress.clear();
+    scene.progress().clear();
 
-    print_notes(options.common, loaded.notes);
+    print_notes(options.common, scene.loaded().notes);
     print_text(options.common, comparison_table(comparison));
     print_text(options.common, fmt::format("\n{}\n", (folder / "report.html").string()));
     write_json(options.common, comparison_to_json(comparison));
-    check_validation(session);
+    check_validation(scene.session());
     for (const MethodFailure& failure : comparison.failures)
         fmt::print(stderr, "{}: {}\n", method_name(failure.method), failure.message);
     if (comparison.interrupted) return ExitCode::interrupted;

@@ -2,6 +2,7 @@
 #include "cli/scene_session.h"
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/stopwatch.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <cstdlib>
 
 namespace utsuri {
+
 LoadedScene load_scene(const std::filesystem::path& path) {
     const Stopwatch stopwatch;
     ImportResult result = import_gltf(path);
@@ -45,6 +47,38 @@ Validation wanted_validation() {
 
 Session make_session(const CommonOptions& options, const LightSettings& light) {
     return Session({options.device, wanted_validation(), light});
+}
+
+std::vector<Method> listed_methods(const LightMethod& light, const std::string& reflections) {
+    if (reflections.empty()) return all_methods(light);
+    std::vector<Method> methods;
+    for (const std::string& name : split_list(reflections))
+        methods.push_back({&light, &find_reflection(name)});
+    return methods;
+}
+
+std::filesystem::path result_folder(const std::string& wanted, const std::string& command,
+                                    const std::filesystem::path& scene) {
+    return wanted.empty() ? command + "-" + scene.stem().string() : wanted;
+}
+
+SceneSession::SceneSession(const CommonOptions& common, const PictureOptions& picture,
+                           const std::filesystem::path& scene, const std::filesystem::path& folder)
+    : loaded_(load_scene(scene)),
+      camera_(choose_camera(loaded_.scene, picture.camera)),
+      session_(make_session(common, picture.light_settings())),
+      progress_(common.quiet) {
+    make_output_folder(folder);
+    progress_.begin("building the BVH");
+    session_.set_scene(loaded_.scene);
+}
+
+void SceneSession::describe(Comparison& comparison, const std::string& scene,
+                            const std::string& command_line) const {
+    comparison.scene = scene;
+    comparison.command = command_line;
+    comparison.import_seconds = loaded_.import_seconds;
+    comparison.notes = loaded_.notes;
 }
 
 void check_validation(Session& session) {

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "cli/options.h"
+#include "cli/progress_line.h"
+#include "compare/comparison/comparison.h"
 #include "import/scene/gltf.h"
 
 #include "session/session.h"
 
 #include <filesystem>
-#include <memory>
 #include <string>
+#include <vector>
 
 namespace utsuri {
 
@@ -30,6 +32,40 @@ Validation wanted_validation();
 
 /// A session on the device that the options name.
 Session make_session(const CommonOptions& options, const LightSettings& light);
+
+/// The methods of a light that a user lists by their reflections, separated by commas; all if the list is
+/// empty.
+/// @throws UsageError if there is none of such a name
+std::vector<Method> listed_methods(const LightMethod& light, const std::string& reflections);
+
+/// Where a command writes what it finds about a scene: what the user wants, else a folder named after command
+/// and scene.
+std::filesystem::path result_folder(const std::string& wanted, const std::string& command,
+                                    const std::filesystem::path& scene);
+
+/// A scene on a device, for a command that writes a folder about it.
+class SceneSession {
+  public:
+    /// Imports the scene, proves that the folder can be written, and builds the BVH.
+    /// @throws Error if any of that fails
+    SceneSession(const CommonOptions& common, const PictureOptions& picture,
+                 const std::filesystem::path& scene, const std::filesystem::path& folder);
+
+    [[nodiscard]] const LoadedScene& loaded() const { return loaded_; }
+    [[nodiscard]] const Camera& camera() const { return camera_; }
+    [[nodiscard]] Session& session() { return session_; }
+    [[nodiscard]] ProgressLine& progress() { return progress_; }
+
+    /// Tells where a comparison comes from.
+    /// @param scene path as given
+    void describe(Comparison& comparison, const std::string& scene, const std::string& command_line) const;
+
+  private:
+    LoadedScene loaded_;
+    const Camera& camera_;  ///< of the loaded scene
+    Session session_;
+    ProgressLine progress_;
+};
 
 /// @throws DeviceError with the validation layer's messages, if there are any
 void check_validation(Session& session);

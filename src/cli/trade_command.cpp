@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/command.h"
 #include "cli/output.h"
-#include "cli/progress_line.h"
 #include "cli/scene_session.h"
 #include "cli/trade_choice.h"
 #include "compare/trade/run_trade.h"
@@ -10,7 +9,6 @@
 #include "compare/trade/trade_table.h"
 
 #include "base/command_line.h"
-#include "base/file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -34,11 +32,8 @@ struct TradeOptions {
 
 ComparisonSettings settings_of(const TradeOptions& options) {
     const LightMethod& light = find_light(options.light);
-    std::vector<Method> methods;
-    for (const std::string& name : split_list(options.methods))
-        methods.push_back({&light, &find_reflection(name)});
-    if (options.methods.empty()) methods = all_methods(light);
-    ComparisonSettings settings = trade_settings(options.picture, methods, light);
+    ComparisonSettings settings =
+        trade_settings(options.picture, listed_methods(light, options.methods), light);
     settings.samples = options.most_samples;
     settings.reference_samples = options.reference_samples + options.reference_samples % 2;
     return settings;
@@ -66,32 +61,20 @@ ExitCode trade(const TradeOptions& options, const std::vector<std::string>& give
                const std::string& command_line) {
     const ComparisonSettings settings = settings_of(options);
     if (!options.choice.within.empty()) parse_duration(options.choice.within);
-    const std::filesystem::path scene_path(options.scene);
-    const std::filesystem::path folder =
-        options.folder.empty() ? "trade-" + scene_path.stem().string() : options.folder;
-
-    const LoadedScene loaded = load_scene(scene_path);
-    const Camera& camera = choose_camera(loaded.scene, options.picture.camera);
-    Session session = make_session(options.common, options.picture.light_settings());
-    make_output_folder(folder);
-    ProgressLine progress(options.common.quiet);
-    progress.begin("building the BVH");
-    session.set_scene(loaded.scene);
-    Trade trade = run_trade(session, camera, settings, progress);
-    trade.basis.scene = options.scene;
-    trade.basis.command = command_line;
-    trade.basis.import_seconds = loaded.import_seconds;
-    trade.basis.notes = loaded.notes;
+    const std::filesystem::path folder = result_folder(options.folder, "trade", options.scene);
+    SceneSession scene(options.common, options.picture, options.scene, folder);
+    Trade trade = run_trade(scene.session(), scene.camera(), settings, scene.progress());
+    scene.describe(trade.basis, options.scene, command_line);
     trade.scene_options = scene_words(options, given);
-    progress.begin("writing trade.html");
+    scene.progress().begin("writing trade.html");
     write_trade(trade, options.choice.metric, folder);
-    if (!trade.interrupted) keep_for_later(session, camera, settings, given, trade);
-    progress.clear();
+    if (!trade.interrupted) keep_for_later(scene.session(), scene.camera(), settings, given, trade);
+    scene.progress().clear();
 
-    print_notes(options.common, loaded.notes);
+    print_notes(options.common, scene.loaded().notes);
     print_text(options.common, trade_table(trade, parse_error_metric(options.choice.metric)));
     print_text(options.common, fmt::format("\n{}\n", (folder / "trade.html").string()));
-    check_validation(session);
+    check_validation(scene.session());
     nlohmann::ordered_json json = trade_to_json(trade);
     if (options.choice.wanted()) {
         const TradePoint point = choose_run(trade, options.choice);
