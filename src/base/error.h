@@ -36,7 +36,7 @@ class UsageError : public Error {
         : Error(ExitCode::usage, operation, object, problem) {}
 };
 
-/// A file or its contents cannot be used, or an output cannot be written.
+/// A file or its contents or a scene cannot be used, or an output cannot be written.
 class InputError : public Error {
   public:
     InputError(std::string_view operation, std::string_view object, std::string_view problem)

@@ -11,8 +11,8 @@ namespace utsuri {
 /// Colour textures are sRGB coded, data textures linear; which, is decided by the slot that refers to them.
 struct Texture {
     std::string name;
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
+    std::uint32_t width = 0;         ///< texels, >= 1
+    std::uint32_t height = 0;        ///< texels, >= 1
     std::vector<std::uint8_t> rgba;  ///< 4 * width * height bytes
 };
 
