@@ -14,10 +14,6 @@
 namespace utsuri {
 namespace {
 
-/// Largest edge of a picture: beyond it no format and no display that we know of follows.
-constexpr std::uint32_t kLargestEdge = 16384;
-constexpr std::uint32_t kLargestMap = 4096;
-
 template <typename Number>
 std::optional<Number> parse_number(std::string_view text) {
     Number value{};
@@ -52,10 +48,11 @@ glm::uvec2 parse_size(const std::string& text) {
     const auto height = cross == std::string::npos
                             ? std::nullopt
                             : parse_number<std::uint32_t>(std::string_view(text).substr(cross + 1));
-    if (!width || !height || *width < 1 || *height < 1 || *width > kLargestEdge || *height > kLargestEdge) {
-        throw UsageError(
-            "use --size", fmt::format("'{}'", text),
-            fmt::format("expected WIDTHxHEIGHT in pixels, each from 1 to {}, such as 512x384", kLargestEdge));
+    if (!width || !height || *width < 1 || *height < 1 || *width > kLargestPictureEdge ||
+        *height > kLargestPictureEdge) {
+        throw UsageError("use --size", fmt::format("'{}'", text),
+                         fmt::format("expected WIDTHxHEIGHT in pixels, each from 1 to {}, such as 512x384",
+                                     kLargestPictureEdge));
     }
     return {*width, *height};
 }
@@ -89,9 +86,9 @@ glm::dvec3 parse_point(const std::string& text) {
 MapSize parse_map_size(const std::string& text) {
     if (text == "fit") return {kMostFittedMapSize, true};
     const auto texels = parse_number<std::uint32_t>(text);
-    if (!texels || *texels < 1 || *texels > kLargestMap) {
+    if (!texels || *texels < 1 || *texels > kLargestMapSize) {
         throw UsageError("use --map-size", fmt::format("'{}'", text),
-                         fmt::format("expected texels from 1 to {}, such as 256, or fit", kLargestMap));
+                         fmt::format("expected texels from 1 to {}, such as 256, or fit", kLargestMapSize));
     }
     return {*texels, false};
 }
@@ -165,11 +162,11 @@ void add_sampling_options(CLI::App& command, PictureOptions& options) {
             "--map-size", options.map_size,
             fmt::format("Texels along an edge of a reflection map, up to {}, or fit: for each object as "
                         "many as the pixels that show it need, up to {}",
-                        kLargestMap, kMostFittedMapSize))
+                        kLargestMapSize, kMostFittedMapSize))
         ->type_name("TEXELS|fit")
         ->capture_default_str();
     command.add_option("--map-spp", options.map_samples, "Samples per texel of a reflection map")
-        ->check(CLI::Range(1u, 65536u))
+        ->check(CLI::Range(1u, kMostMapSamples))
         ->capture_default_str();
     command
         .add_option(

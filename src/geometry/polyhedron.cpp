@@ -106,18 +106,6 @@ std::vector<glm::dvec3> cut(const std::vector<glm::dvec3>& polygon, const Polyhe
     return kept;
 }
 
-void check_closed(const Polyhedron& polyhedron, const std::filesystem::path& path) {
-    for (std::size_t i = 0; i < polyhedron.planes.size(); ++i) {
-        const std::vector<glm::dvec3> corners = face_corners(polyhedron, i);
-        if (corners.size() >= 3) continue;
-        throw InputError(
-            "read polyhedron", path.string(),
-            fmt::format("plane {} bounds no face: the planes must enclose the capture point, and "
-                        "each must touch the polyhedron they enclose",
-                        i + 1));
-    }
-}
-
 }  // namespace
 
 Polyhedron cube() {
@@ -146,7 +134,13 @@ Polyhedron read_polyhedron(const std::filesystem::path& path) {
                          "the distance must be positive: the capture point lies inside");
         result.planes.push_back({line.plane.normal, line.plane.offset});
     }
-    check_closed(result, path);
+    if (const auto plane = plane_without_face(result)) {
+        throw InputError(
+            purpose.operation, path.string(),
+            fmt::format("plane {} bounds no face: the planes must enclose the capture point, and each must "
+                        "touch the polyhedron they enclose",
+                        *plane + 1));
+    }
     return result;
 }
 
@@ -169,6 +163,13 @@ std::vector<glm::dvec3> face_corners(const Polyhedron& polyhedron, std::size_t f
     const auto is_far = [&](const glm::dvec3& corner) { return glm::distance(corner, centre) > 0.5 * far; };
     if (std::any_of(corners.begin(), corners.end(), is_far)) return {};
     return corners;
+}
+
+std::optional<std::size_t> plane_without_face(const Polyhedron& polyhedron) {
+    for (std::size_t i = 0; i < polyhedron.planes.size(); ++i) {
+        if (face_corners(polyhedron, i).size() < 3) return i;
+    }
+    return std::nullopt;
 }
 
 FacePicture face_picture(const Polyhedron& polyhedron, std::size_t face) {

@@ -5,7 +5,9 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,5 +55,9 @@ interop::MapFace map_face(const Polyhedron& polyhedron, std::size_t face);
 /// Corners of a face in order around it; empty if the plane does not touch the polyhedron, or if the face has
 /// no bounds.
 std::vector<glm::dvec3> face_corners(const Polyhedron& polyhedron, std::size_t face);
+
+/// The first plane that bounds no face: the planes leave its side open, it does not touch what they enclose,
+/// or it is there twice. None if all bound one: then they enclose the origin.
+std::optional<std::size_t> plane_without_face(const Polyhedron& polyhedron);
 
 }  // namespace utsuri

@@ -20,9 +20,8 @@ GivenProxy read_proxy(const std::filesystem::path& path) {
                          "its planes enclose nothing: they must leave no side open, with normals that point "
                          "out of the proxy");
     }
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (face_corners(region->about_inside, i).size() >= 3) continue;
-        fail_at_line(path, purpose, lines[i].number,
+    if (const auto plane = plane_without_face(region->about_inside)) {
+        fail_at_line(path, purpose, lines[*plane].number,
                      "the plane bounds no face: each must touch the polyhedron that all enclose, once");
     }
     return proxy;
