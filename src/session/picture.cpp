@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 
+#include "session/checked_settings.h"
 #include "session/session_state.h"
 
 #include <fmt/format.h>
@@ -68,7 +69,7 @@ void Picture::add_samples(std::uint32_t count) {
 }
 
 void Picture::set_camera(const Camera& camera) {
-    state_->settings.camera = camera;
+    state_->settings.camera = checked(camera);
     if (state_->is_prepared) {
         state_->renderer->set_camera(camera);
     } else {
@@ -92,6 +93,7 @@ Image Picture::image() const {
 }
 
 Image Picture::half_image(std::uint32_t half) const {
+    if (half > 1) throw UsageError("tell half of the samples", fmt::format("{}", half), "must be 0 or 1");
     const RenderSettings& settings = state_->settings.render;
     return state_->film ? state_->film->resolve_half(half) : Image(settings.width, settings.height);
 }

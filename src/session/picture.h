@@ -18,7 +18,7 @@ namespace utsuri {
 struct SessionState;
 struct PictureState;
 
-/// What a picture is made with.
+/// What a picture is made with. Ranges are those of the members' own headers.
 struct PictureSettings {
     Method method;
     Camera camera;
@@ -44,6 +44,8 @@ class Picture {
     void add_samples(std::uint32_t count, Progress& progress);
     void add_samples(std::uint32_t count);
     /// Moves the eye: forgets the samples; what was prepared stays.
+    /// @param camera any that keeps what scene/camera.h promises, of the scene's or not
+    /// @throws UsageError if it does not; the picture stays as it was
     void set_camera(const Camera& camera);
     /// Forgets the samples.
     void clear();
@@ -51,7 +53,8 @@ class Picture {
     [[nodiscard]] std::uint32_t samples() const;
     /// Mean over the samples, cd/m2; black without any.
     [[nodiscard]] Image image() const;
-    /// Mean over every other sample: Film::resolve_half().
+    /// Mean over every other sample, as above: the even ones (0) or the odd ones (1), which are independent.
+    /// @throws UsageError if `half` is neither
     [[nodiscard]] Image half_image(std::uint32_t half) const;
     /// @throws UsageError unless the number of samples is even and at least 2
     [[nodiscard]] NoiseEstimate noise() const;

@@ -6,9 +6,8 @@
 
 #include "base/error.h"
 
+#include "session/checked_settings.h"
 #include "session/session_state.h"
-
-#include <fmt/format.h>
 
 namespace utsuri {
 
@@ -43,23 +42,6 @@ void SessionState::drop_derived() {
         picture->drop();
     if (scene) scene->lights.clear();
 }
-
-namespace {
-
-const LightSettings& checked(const LightSettings& light) {
-    if (!(light.spacing > 0.0) || light.samples < 1 || light.samples > kMostLightSamples ||
-        light.points_per_dispatch < 1) {
-        throw UsageError(
-            "keep light on surfaces",
-            fmt::format("{} samples at points {:g} apart", light.samples, light.spacing),
-            fmt::format("samples may be 1 to {}, points more than 0 apart, and at least one of them "
-                        "in a dispatch",
-                        kMostLightSamples));
-    }
-    return light;
-}
-
-}  // namespace
 
 Session::Session(const SessionSettings& settings)
     : state_(std::make_shared<SessionState>(settings.validation, settings.device, checked(settings.light))) {}
@@ -125,7 +107,7 @@ SceneUpdate Session::set_scene(const Scene& scene) {
 }
 
 Picture Session::make_picture(const PictureSettings& settings) {
-    Picture picture(state_, settings);
+    Picture picture(state_, checked(settings));
     static_cast<void>(state_->live_pictures());  // forgets those that are gone
     state_->pictures.push_back(picture.state_);
     return picture;
@@ -133,9 +115,10 @@ Picture Session::make_picture(const PictureSettings& settings) {
 
 std::vector<interop::AovPixel> Session::first_hits(const Camera& camera, std::uint32_t width,
                                                    std::uint32_t height) const {
+    check_picture_size(width, height);
     const PreparedScene& prepared = state_->needed_scene();
     return render_aovs(state_->device, prepared.on_device,
-                       make_camera_info(camera, prepared.data.origin, width, height), width, height);
+                       make_camera_info(checked(camera), prepared.data.origin, width, height), width, height);
 }
 
 const SceneData& Session::scene() const {

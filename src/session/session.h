@@ -42,6 +42,7 @@ enum class SceneUpdate {
 class Session {
   public:
     /// @throws DeviceError if there is no such device, or none at all
+    /// @throws UsageError if the light settings are out of their ranges
     explicit Session(const SessionSettings& settings = {});
     Session(Session&& other) noexcept;
     Session& operator=(Session&& other) noexcept;
@@ -55,11 +56,17 @@ class Session {
     SceneUpdate set_scene(const Scene& scene, Progress& progress);
     SceneUpdate set_scene(const Scene& scene);
 
-    /// @throws UsageError without a scene, or if the settings do not fit the scene or the device
+    /// A picture without samples, of the scene as it is and as it becomes.
+    /// @param settings the camera need not be one of the scene's
+    /// @throws UsageError without a scene, if a setting is out of its range, or if the settings do not fit
+    /// the scene or the device
+    /// @throws DeviceError if what it needs does not fit
     [[nodiscard]] Picture make_picture(const PictureSettings& settings);
 
     /// First hits through the pixel centres, row-major, top row first. Positions are relative to
-    /// SceneData::origin.
+    /// SceneData::origin, in metres.
+    /// @param width, height pixels, [1, kLargestPictureEdge]
+    /// @throws UsageError without a scene, or if the camera or the size is out of its range
     [[nodiscard]] std::vector<interop::AovPixel> first_hits(const Camera& camera, std::uint32_t width,
                                                             std::uint32_t height) const;
     /// The scene as it was prepared.

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/session.h"
+
+#include "support/scenes.h"
+
+#include "base/error.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace utsuri::test {
+namespace {
+
+using testing::Each;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr ? value : "";
+}
+
+SessionSettings session_settings() {
+    SessionSettings settings;
+    settings.device = environment("UTSURI_DEVICE");
+    if (environment("UTSURI_VALIDATION") == "1") settings.validation = Validation::on;
+    settings.light = {1.0 / 30.0, 1, 0};
+    return settings;
+}
+
+/// A matt floor and a point light above it.
+Scene lit_floor() {
+    Scene scene;
+    add(scene, quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}), lambert(glm::vec3(0.5f)));
+    Light light;
+    light.position = {0, 2, 0};
+    light.intensity = glm::vec3(4.0f);
+    scene.lights.push_back(light);
+    return scene;
+}
+
+Camera camera() {
+    return look_at({0, 2, 3}, {0, 0, 0});
+}
+
+class SessionTest : public testing::Test {
+  protected:
+    void TearDown() override { EXPECT_THAT(session_.take_validation_messages(), IsEmpty()); }
+
+    /// @param kept_light whether the picture reads the light kept on surfaces
+    Picture traced(bool kept_light) {
+        PictureSettings settings;
+        settings.method = find_method("direct", "trace");
+        settings.camera = camera();
+        settings.render.width = 16;
+        settings.render.height = 12;
+        settings.render.kept_light = kept_light;
+        return session_.make_picture(settings);
+    }
+
+    template <typename Call>
+    static std::string usage_error(const Call& call) {
+        try {
+            call();
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return {};
+    }
+
+    Session session_{session_settings()};
+};
+
+TEST_F(SessionTest, RefusesSettingsOutOfRange) {
+    session_.set_scene(lit_floor());
+    PictureSettings settings;
+    settings.maps.samples = 0;
+    EXPECT_THAT(usage_error([&] { static_cast<void>(session_.make_picture(settings)); }),
+                HasSubstr("use map settings samples: is 0"));
+    EXPECT_THAT(usage_error([&] { static_cast<void>(session_.first_hits(camera(), 0, 4)); }),
+                HasSubstr("of 0 x 4 pixels"));
+    Camera flat = camera();
+    flat.vertical_fov = 0.0;
+    EXPECT_THAT(usage_error([&] { static_cast<void>(session_.first_hits(flat, 4, 4)); }),
+                HasSubstr("use camera vertical_fov"));
+    EXPECT_EQ(session_.first_hits(camera(), 4, 3).size(), 12u);
+
+    Picture picture = traced(false);
+    picture.add_samples(2);
+    const std::vector<glm::vec3> before = picture.image().pixels;
+    EXPECT_THAT(usage_error([&] { picture.set_camera(flat); }), HasSubstr("use camera vertical_fov"));
+    EXPECT_EQ(picture.samples(), 2u) << "the picture stays as it was";
+    EXPECT_THAT(usage_error([&] { static_cast<void>(picture.half_image(2)); }), HasSubstr("must be 0 or 1"));
+    picture.clear();
+    picture.add_samples(2);
+    EXPECT_EQ(picture.image().pixels, before) << "and so does its eye";
+}
+
+}  // namespace
+}  // namespace utsuri::test
