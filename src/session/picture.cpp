@@ -8,13 +8,14 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace utsuri {
 
 Picture::Picture(std::shared_ptr<SessionState> session, const PictureSettings& settings)
     : session_(std::move(session)), state_(std::make_shared<PictureState>()) {
     state_->settings = settings;
-    state_->renderer =
-        make_renderer(settings.method, session_->renderer_input(settings), settings.render, settings.maps);
+    state_->renderer = session_->renderer_for(settings);
 }
 
 Picture::Picture(Picture&& other) noexcept = default;
@@ -27,11 +28,7 @@ Picture& Picture::operator=(Picture&& other) noexcept {
 Picture::~Picture() = default;
 
 void Picture::prepare(Progress& progress) {
-    if (!state_->renderer) {
-        const PictureSettings& settings = state_->settings;
-        state_->renderer = make_renderer(settings.method, session_->renderer_input(settings), settings.render,
-                                         settings.maps);
-    }
+    if (!state_->renderer) state_->renderer = session_->renderer_for(state_->settings);
     if (state_->is_prepared) return;
     try {
         state_->renderer->prepare(progress);
@@ -49,13 +46,14 @@ Renderer& Picture::renderer() {
 }
 
 void Picture::add_samples(std::uint32_t count, Progress& progress) {
-    Renderer& ready = renderer();
+    SilentProgress preparing(progress);
+    prepare(preparing);
     const PictureSettings& settings = state_->settings;
     if (!state_->film) {
         state_->film.emplace(session_->device, settings.render.width, settings.render.height, settings.title);
     }
     try {
-        ready.add_samples(*state_->film, count, progress);
+        state_->renderer->add_samples(*state_->film, count, progress);
     } catch (...) {
         // Some pixels may have a sample that others lack.
         state_->film->clear();

@@ -2,7 +2,11 @@
 #pragma once
 
 #include "renderers/film/film.h"
+#include "renderers/film/render_settings.h"
+#include "renderers/film/render_statistics.h"
 #include "renderers/methods/method.h"
+#include "renderers/methods/reflection.h"
+#include "renderers/methods/renderer.h"
 
 #include "base/progress.h"
 #include "image/image.h"
@@ -30,17 +34,23 @@ struct PictureSettings {
 /// A view of a session's scene by one method, rendered sample by sample. It follows the scene: after
 /// Session::set_scene() it holds no samples, and the next ones are of the scene as it is. It keeps alive what
 /// it needs of its session. Move-only; one that was moved from may only be assigned to or destroyed.
+///
+/// Calls that need light, maps or pipelines make them first, where they are not there. They throw DeviceError
+/// if that does not fit or the device fails, and UsageError if the session has no scene any more or the scene
+/// has become one that the settings do not fit. After these errors and Interrupted the picture has no
+/// samples; what it lacks is made when it is next needed.
 class Picture {
   public:
     Picture(Picture&& other) noexcept;
     Picture& operator=(Picture&& other) noexcept;
     ~Picture();
 
-    /// All that is done once before the first sample: light, maps, pipelines. Done by the calls below if it
-    /// was not done yet, without telling their progress.
+    /// All that is done once before the first sample: light, maps, pipelines. Nothing if it is there.
     /// @throws Interrupted if progress says so
     void prepare(Progress& progress);
-    /// Adds `count` samples to each pixel, or fewer if progress says so.
+    /// Adds `count` samples to each pixel, or fewer if progress says so. Prepares first, if prepare() did
+    /// not, which progress may stop but is not told of.
+    /// @throws Interrupted if cancelled before the first sample, while it prepares
     void add_samples(std::uint32_t count, Progress& progress);
     void add_samples(std::uint32_t count);
     /// Moves the eye: forgets the samples; what was prepared stays.
@@ -50,20 +60,25 @@ class Picture {
     /// Forgets the samples.
     void clear();
 
+    /// Of each pixel.
     [[nodiscard]] std::uint32_t samples() const;
-    /// Mean over the samples, cd/m2; black without any.
+    /// Mean over the samples, cd/m2 per linear Rec.709 channel; black without any.
     [[nodiscard]] Image image() const;
     /// Mean over every other sample, as above: the even ones (0) or the odd ones (1), which are independent.
     /// @throws UsageError if `half` is neither
     [[nodiscard]] Image half_image(std::uint32_t half) const;
     /// @throws UsageError unless the number of samples is even and at least 2
     [[nodiscard]] NoiseEstimate noise() const;
-    /// Since the picture was made, or since the scene last changed.
+    /// Since the picture was made, or since the scene last changed. Valid until the next call that is not
+    /// const, of the picture or its session.
     [[nodiscard]] const RenderStatistics& statistics() const;
 
-    /// See Renderer. Predictions take MapSettings::predicts_errors, where the method keeps no distances.
+    /// Draws the view without adding a sample, as a window would. See Renderer, also for the three below.
+    /// @returns false for methods that do not draw
     bool draw_frame();
+    /// @throws UsageError of methods whose maps have no distances, without MapSettings::predicts_errors
     [[nodiscard]] std::vector<PredictedError> predict_errors();
+    /// @throws UsageError as above
     [[nodiscard]] std::vector<MeasuredError> measure_errors();
     [[nodiscard]] std::vector<float> traced_pixels();
 

@@ -16,13 +16,15 @@ PreparedScene& SessionState::needed_scene() {
     return *scene;
 }
 
-RendererInput SessionState::renderer_input(const PictureSettings& settings) {
+std::unique_ptr<Renderer> SessionState::renderer_for(const PictureSettings& settings) {
     PreparedScene& prepared = needed_scene();
     const LightMethod& light = *settings.method.light;
     KeptLight& kept =
         prepared.lights.try_emplace(&light, device, prepared.data, prepared.on_device, light, light_settings)
             .first->second;
-    return {device, prepared.data, prepared.on_device, light, kept, settings.camera};
+    return make_renderer(settings.method,
+                         {device, prepared.data, prepared.on_device, light, kept, settings.camera},
+                         settings.render, settings.maps);
 }
 
 std::vector<std::shared_ptr<PictureState>> SessionState::live_pictures() {

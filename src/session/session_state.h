@@ -47,7 +47,9 @@ struct SessionState {
 
     /// @throws UsageError if there is none
     PreparedScene& needed_scene();
-    RendererInput renderer_input(const PictureSettings& settings);
+    /// A renderer of a picture, not prepared.
+    /// @throws UsageError without a scene, or if the settings do not fit it
+    std::unique_ptr<Renderer> renderer_for(const PictureSettings& settings);
     /// Pictures that are still there.
     std::vector<std::shared_ptr<PictureState>> live_pictures();
     /// Makes pictures and lights anew when they are next needed.

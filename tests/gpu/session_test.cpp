@@ -48,6 +48,21 @@ Camera camera() {
     return look_at({0, 2, 3}, {0, 0, 0});
 }
 
+/// Asks to stop from the start, or never, and takes down what it is told.
+class Listener : public Progress {
+  public:
+    explicit Listener(bool stops) : stops_(stops) {}
+    void begin(const std::string& /*stage*/) override { ++begun; }
+    void update(double /*done*/, double total) override { totals.push_back(total); }
+    [[nodiscard]] bool cancelled() const override { return stops_; }
+
+    int begun = 0;
+    std::vector<double> totals;
+
+  private:
+    bool stops_;
+};
+
 class SessionTest : public testing::Test {
   protected:
     void TearDown() override { EXPECT_THAT(session_.take_validation_messages(), IsEmpty()); }
@@ -99,6 +114,25 @@ TEST_F(SessionTest, RefusesSettingsOutOfRange) {
     picture.clear();
     picture.add_samples(2);
     EXPECT_EQ(picture.image().pixels, before) << "and so does its eye";
+}
+
+// Light is what takes minutes before the first sample.
+TEST_F(SessionTest, PreparationForSamplesCanBeCancelled) {
+    session_.set_scene(lit_floor());
+    Picture picture = traced(true);
+    Listener stopping(true);
+    EXPECT_THROW(picture.add_samples(1, stopping), Interrupted);
+    EXPECT_EQ(picture.samples(), 0u);
+    EXPECT_THAT(picture.image().pixels, Each(glm::vec3(0.0f)));
+
+    Listener listening(false);
+    picture.add_samples(3, listening);
+    EXPECT_EQ(picture.samples(), 3u);
+    EXPECT_EQ(listening.begun, 0);
+    EXPECT_THAT(listening.totals, testing::AllOf(testing::Not(IsEmpty()), Each(3.0)))
+        << "it is told of samples alone";
+    picture.add_samples(1, stopping);
+    EXPECT_EQ(picture.samples(), 3u) << "what is prepared adds no sample, without an error";
 }
 
 }  // namespace
