@@ -44,20 +44,22 @@ struct Step {
 };
 
 std::string differing_counts(const Step& step) {
-    const auto count = [](std::string_view things, std::size_t now, std::size_t then) {
-        return now == then ? std::string()
-                           : fmt::format("it now has {} {} where it had {}", now, things, then);
+    const auto count = [](std::string_view thing, std::string_view things, std::size_t now,
+                          std::size_t then) {
+        if (now == then) return std::string();
+        return fmt::format("it now has {} {} where it had {}", now, now == 1 ? thing : things, then);
     };
     const SceneData& before = step.before;
     const SceneData& after = step.after;
     const Requirements& a = before.requirements;
     const Requirements& b = after.requirements;
     for (const std::string& text :
-         {count("triangles", b.triangles, a.triangles), count("vertices", b.vertices, a.vertices),
-          count("instances", b.instances, a.instances),
-          count("materials", after.materials.size(), before.materials.size()),
-          count("textures", after.texture_headers.size(), before.texture_headers.size()),
-          count("lights that shine", after.lights.size(), before.lights.size())}) {
+         {count("triangle", "triangles", b.triangles, a.triangles),
+          count("vertex", "vertices", b.vertices, a.vertices),
+          count("instance", "instances", b.instances, a.instances),
+          count("material", "materials", after.materials.size(), before.materials.size()),
+          count("texture", "textures", after.texture_headers.size(), before.texture_headers.size()),
+          count("light that shines", "lights that shine", after.lights.size(), before.lights.size())}) {
         if (!text.empty()) return text;
     }
     return {};

@@ -164,6 +164,11 @@ TEST_F(SceneChanges, OfWhatIsMadeFromTheSceneRebuildIt) {
               "it now has 3 lights that shine where it had 4");
     EXPECT_EQ(reason([](Scene& s) {
                   s.environment = glm::vec3(0.0f);
+                  s.materials[1].emissive = glm::vec3(0.0f);
+              }),
+              "it now has 1 light that shines where it had 4");
+    EXPECT_EQ(reason([](Scene& s) {
+                  s.environment = glm::vec3(0.0f);
                   s.lights.push_back(s.lights[0]);
               }),
               "its surroundings were switched on or off");
@@ -299,7 +304,7 @@ TEST_F(ChangedTextures, OfOtherSizesRebuild) {
     EXPECT_EQ(change().reason, "its textures have other sizes");
     expect_same_buffers(data_, prepare_scene_data(scene_));
     scene_.materials[0].base_colour_texture = {};
-    EXPECT_EQ(change().reason, "it now has 1 textures where it had 2");
+    EXPECT_EQ(change().reason, "it now has 1 texture where it had 2");
     expect_same_buffers(data_, prepare_scene_data(scene_));
     scene_.materials[1].base_colour_texture = scene_.materials[1].emissive_texture = {};
     EXPECT_TRUE(change().rebuilt);
