@@ -3,11 +3,17 @@
 
 #include "renderers/film/aov.h"
 #include "renderers/film/frame_camera.h"
+#include "renderers/methods/method.h"
+#include "renderers/methods/renderer_input.h"
+#include "renderers/scene/scene_change.h"
 
 #include "base/error.h"
+#include "scene/check_scene.h"
 
 #include "session/checked_settings.h"
 #include "session/session_state.h"
+
+#include <utility>
 
 namespace utsuri {
 
@@ -27,16 +33,16 @@ std::unique_ptr<Renderer> SessionState::renderer_for(const PictureSettings& sett
                          settings.render, settings.maps);
 }
 
-std::vector<std::shared_ptr<PictureState>> SessionState::live_pictures() {
+std::vector<std::shared_ptr<PictureState>> SessionState::live_pictures() const {
     std::vector<std::shared_ptr<PictureState>> live;
-    std::erase_if(pictures, [&](const std::weak_ptr<PictureState>& picture) {
-        if (auto held = picture.lock()) {
-            live.push_back(std::move(held));
-            return false;
-        }
-        return true;
-    });
+    for (const std::weak_ptr<PictureState>& picture : pictures) {
+        if (auto held = picture.lock()) live.push_back(std::move(held));
+    }
     return live;
+}
+
+void SessionState::forget_gone_pictures() {
+    std::erase_if(pictures, [](const std::weak_ptr<PictureState>& picture) { return picture.expired(); });
 }
 
 void SessionState::drop_derived() {
@@ -54,6 +60,21 @@ Session::~Session() = default;
 
 namespace {
 
+/// Has the scene take over another. If that fails there is none any more: host and device may differ.
+SceneChange update_scene(SessionState& state, const Scene& scene) {
+    try {
+        SceneChange change = update_scene_data(state.scene->data, scene);
+        // Makes room: new buffers may be larger than those that they replace.
+        if (change.rebuilt) state.drop_derived();
+        state.scene->on_device.update(state.scene->data);
+        return change;
+    } catch (...) {
+        state.drop_derived();
+        state.scene.reset();
+        throw;
+    }
+}
+
 /// Has a picture take over a change. One that cannot is made anew when it is next used, and tells why then.
 void update_picture(PictureState& picture, const SceneChange& change, Progress& progress) {
     if (!picture.is_prepared) return picture.drop();
@@ -66,7 +87,7 @@ void update_picture(PictureState& picture, const SceneChange& change, Progress& 
 }
 
 /// Has lights and pictures take over a change; if that ends half way, all of them are made anew.
-void update_all(SessionState& state, const SceneChange& change, Progress& progress) {
+void update_derived(SessionState& state, const SceneChange& change, Progress& progress) {
     try {
         for (auto& [method, light] : state.scene->lights)
             light.update(change, progress);
@@ -81,26 +102,17 @@ void update_all(SessionState& state, const SceneChange& change, Progress& progre
 }  // namespace
 
 SceneUpdate Session::set_scene(const Scene& scene, Progress& progress) {
+    check_scene(scene);
+    state_->forget_gone_pictures();
     if (!state_->scene) {
         state_->scene.emplace(state_->device, prepare_scene_data(scene));
-        return SceneUpdate::rebuilt;
+        return {SceneUpdate::Kind::rebuilt, "there was no scene before it"};
     }
-    SceneChange change;
-    try {
-        change = update_scene_data(state_->scene->data, scene);
-        state_->scene->on_device.update(state_->scene->data);
-    } catch (...) {
-        state_->drop_derived();
-        state_->scene.reset();
-        throw;
-    }
-    if (change.rebuilt) {
-        state_->drop_derived();
-        return SceneUpdate::rebuilt;
-    }
-    if (change.empty()) return SceneUpdate::unchanged;
-    update_all(*state_, change, progress);
-    return SceneUpdate::updated;
+    SceneChange change = update_scene(*state_, scene);
+    if (change.rebuilt) return {SceneUpdate::Kind::rebuilt, std::move(change.reason)};
+    if (change.empty()) return {SceneUpdate::Kind::unchanged, {}};
+    update_derived(*state_, change, progress);
+    return {SceneUpdate::Kind::updated, {}};
 }
 
 SceneUpdate Session::set_scene(const Scene& scene) {
@@ -110,7 +122,7 @@ SceneUpdate Session::set_scene(const Scene& scene) {
 
 Picture Session::make_picture(const PictureSettings& settings) {
     Picture picture(state_, checked(settings));
-    static_cast<void>(state_->live_pictures());  // forgets those that are gone
+    state_->forget_gone_pictures();
     state_->pictures.push_back(picture.state_);
     return picture;
 }

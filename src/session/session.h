@@ -4,9 +4,12 @@
 #include "renderers/light/light_settings.h"
 #include "renderers/scene/scene_data.h"
 
+#include "base/progress.h"
 #include "gpu/device.h"
 #include "gpu/device_selection.h"
 #include "gpu/vulkan_instance.h"
+#include "scene/camera.h"
+#include "scene/scene.h"
 
 #include "interop/frame.h"
 #include "session/picture.h"
@@ -18,21 +21,30 @@
 
 namespace utsuri {
 
+/// What a session is opened with.
 struct SessionSettings {
     std::string device;  ///< index or part of a name; of the fastest kind if empty
     Validation validation = Validation::off;
     LightSettings light;
 };
 
-/// What Session::set_scene() did with a scene, beside one before it.
-enum class SceneUpdate {
-    unchanged,  ///< nothing: it is the same
-    updated,    ///< what the change touches was made anew: things moved, lights and colours took other values
-    rebuilt     ///< all that is kept about the scene is made anew, when it is next needed
+/// What Session::set_scene() did with a scene, beside the one before it.
+struct SceneUpdate {
+    enum class Kind {
+        unchanged,  ///< nothing: it is the same
+        updated,    ///< what the change touches was made anew: things moved, lights and colours took other
+                    ///< values
+        rebuilt     ///< all that is kept about the scene is made anew, when it is next needed
+    };
+    Kind kind = Kind::unchanged;
+    /// Why all is made anew, for messages: "it now has 3 lights that shine where it had 2". Empty unless
+    /// rebuilt.
+    std::string reason;
 };
 
 /// A device and a scene on it, pictures of which are rendered by any method: the library's front door. One
-/// thread at a time. One that was moved from may only be assigned to or destroyed.
+/// thread at a time. One that was moved from may only be assigned to or destroyed. All calls that use the
+/// device throw DeviceError if it fails.
 ///
 ///     Session session;
 ///     session.set_scene(scene);
@@ -49,10 +61,15 @@ class Session {
     ~Session();
 
     /// Gives the scene, or the scene as it is now: only what differs goes to the device. Pictures forget
-    /// their samples unless nothing has changed. Costs the light of what changed, if light is kept on
-    /// surfaces.
-    /// @throws DeviceError if it does not fit; the session has no scene then
-    /// @throws Interrupted if progress says so; the scene is the new one, what is kept about it made anew
+    /// their samples unless nothing has changed, and follow; so does the light kept on surfaces.
+    /// The scene need not outlive the call.
+    /// @returns what it did, and why if it is all made anew
+    /// @throws InputError if the scene is not valid (check_scene()); the session keeps the scene it had,
+    /// pictures their samples
+    /// @throws DeviceError if the scene does not fit: the session then has none. If only the light kept on
+    /// surfaces does not, it has the new one, and all that is kept about it is made anew when it is next
+    /// needed. The next scene may be given after either.
+    /// @throws Interrupted if progress says so; as if the light did not fit
     SceneUpdate set_scene(const Scene& scene, Progress& progress);
     SceneUpdate set_scene(const Scene& scene);
 
@@ -69,15 +86,18 @@ class Session {
     /// @throws UsageError without a scene, or if the camera or the size is out of its range
     [[nodiscard]] std::vector<interop::AovPixel> first_hits(const Camera& camera, std::uint32_t width,
                                                             std::uint32_t height) const;
-    /// The scene as it was prepared.
+    /// The scene as it was prepared; valid until the next call that is not const.
     /// @throws UsageError without a scene
     [[nodiscard]] const SceneData& scene() const;
 
+    /// Valid as long as the session or a picture of it.
     [[nodiscard]] const DeviceSummary& device() const;
+    /// Of the device, by the scene, kept light and all pictures.
     [[nodiscard]] MemoryUsage memory() const;
     /// The peak becomes what is held now.
     void reset_peak_memory();
-    /// What the validation layer said since it was last asked.
+    /// What the validation layer said since it was last asked; nothing unless SessionSettings::validation is
+    /// on.
     [[nodiscard]] std::vector<std::string> take_validation_messages();
 
   private:

@@ -3,12 +3,24 @@
 // stands behind it.
 #pragma once
 
+#include "renderers/film/film.h"
+#include "renderers/light/light.h"
+#include "renderers/light/light_settings.h"
+#include "renderers/methods/renderer.h"
+#include "renderers/scene/gpu_scene.h"
+#include "renderers/scene/scene_data.h"
+
 #include "gpu/device.h"
+#include "gpu/vulkan_instance.h"
 
 #include "session/picture.h"
 
 #include <map>
+#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace utsuri {
 
@@ -51,7 +63,8 @@ struct SessionState {
     /// @throws UsageError without a scene, or if the settings do not fit it
     std::unique_ptr<Renderer> renderer_for(const PictureSettings& settings);
     /// Pictures that are still there.
-    std::vector<std::shared_ptr<PictureState>> live_pictures();
+    [[nodiscard]] std::vector<std::shared_ptr<PictureState>> live_pictures() const;
+    void forget_gone_pictures();
     /// Makes pictures and lights anew when they are next needed.
     void drop_derived();
 };

@@ -19,6 +19,7 @@ namespace {
 using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using Kind = SceneUpdate::Kind;
 
 std::string environment(const char* name) {
     const char* value = std::getenv(name);
@@ -91,6 +92,58 @@ class SessionTest : public testing::Test {
     Session session_{session_settings()};
 };
 
+TEST_F(SessionTest, TellsWhatItDidWithAScene) {
+    Scene scene = lit_floor();
+    SceneUpdate update = session_.set_scene(scene);
+    EXPECT_EQ(update.kind, Kind::rebuilt);
+    EXPECT_EQ(update.reason, "there was no scene before it");
+    update = session_.set_scene(scene);
+    EXPECT_EQ(update.kind, Kind::unchanged);
+    EXPECT_THAT(update.reason, IsEmpty());
+    scene.materials[0].base_colour = glm::vec3(0.25f);
+    update = session_.set_scene(scene);
+    EXPECT_EQ(update.kind, Kind::updated);
+    EXPECT_THAT(update.reason, IsEmpty());
+    scene.lights.push_back(scene.lights[0]);
+    update = session_.set_scene(scene);
+    EXPECT_EQ(update.kind, Kind::rebuilt);
+    EXPECT_EQ(update.reason, "it now has 2 lights that shine where it had 1");
+    scene.lights.pop_back();
+    EXPECT_EQ(session_.set_scene(scene).reason, "it now has 1 light that shines where it had 2");
+}
+
+TEST_F(SessionTest, KeepsItsSceneWhereTheNextIsNotValid) {
+    const Scene good = lit_floor();
+    session_.set_scene(good);
+    Picture picture = traced(false);
+    picture.add_samples(2);
+    const std::vector<glm::vec3> before = picture.image().pixels;
+    Scene bad = good;
+    bad.materials[0].base_colour = glm::vec3(0.25f);
+    bad.meshes[0].normals.clear();
+    try {
+        session_.set_scene(bad);
+        ADD_FAILURE() << "took a mesh without normals";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("use scene meshes[0].normals"));
+    }
+    EXPECT_EQ(picture.samples(), 2u);
+    EXPECT_EQ(picture.image().pixels, before);
+    EXPECT_EQ(session_.scene().materials[0].base_colour, glm::vec3(0.5f));
+    EXPECT_EQ(session_.set_scene(good).kind, Kind::unchanged);
+    picture.add_samples(2);
+    EXPECT_EQ(picture.samples(), 4u);
+}
+
+TEST_F(SessionTest, HasNoSceneBeforeItIsGivenAValidOne) {
+    Scene bad = lit_floor();
+    bad.instances[0].mesh = 1;
+    EXPECT_THROW(session_.set_scene(bad), InputError);
+    EXPECT_THAT(usage_error([&] { static_cast<void>(session_.scene()); }), HasSubstr("without a scene"));
+    EXPECT_THAT(usage_error([&] { static_cast<void>(traced(false)); }), HasSubstr("without a scene"));
+    EXPECT_EQ(session_.set_scene(lit_floor()).kind, Kind::rebuilt);
+}
+
 TEST_F(SessionTest, RefusesSettingsOutOfRange) {
     session_.set_scene(lit_floor());
     PictureSettings settings;
@@ -133,6 +186,24 @@ TEST_F(SessionTest, PreparationForSamplesCanBeCancelled) {
         << "it is told of samples alone";
     picture.add_samples(1, stopping);
     EXPECT_EQ(picture.samples(), 3u) << "what is prepared adds no sample, without an error";
+}
+
+TEST_F(SessionTest, MakesRoomBeforeASceneIsRebuilt) {
+    Scene scene = lit_floor();
+    session_.set_scene(scene);
+    const std::uint64_t of_scene = session_.memory().current;
+    Picture picture = traced(true);
+    picture.add_samples(1);
+    const std::uint64_t all = session_.memory().current;
+    add(scene, icosphere({0, 0.5f, 0}, 0.25f, 1), lambert(glm::vec3(0.5f)));
+    session_.reset_peak_memory();
+    EXPECT_EQ(session_.set_scene(scene).kind, Kind::rebuilt);
+    const std::uint64_t growth = session_.memory().current - of_scene;
+    ASSERT_GT(growth, 0u);
+    ASSERT_LT(growth, all - of_scene) << "else it would not fit into the room that is made";
+    EXPECT_EQ(session_.memory().peak, all);
+    picture.add_samples(1);
+    EXPECT_EQ(picture.samples(), 1u);
 }
 
 }  // namespace

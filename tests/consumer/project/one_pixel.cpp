@@ -3,6 +3,7 @@
 // albedo a under a directional light of E lux that arrives at angle t from the normal has the luminance a /
 // pi * E * cos t.
 
+#include "base/error.h"
 #include "base/version.h"
 
 #include "session/session.h"
@@ -11,6 +12,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace {
 
@@ -58,6 +60,17 @@ bool shows(utsuri::Picture& picture, double albedo, const char* name) {
     return std::abs(value - expected) <= kTolerance * expected;
 }
 
+/// Whether a session refuses a scene and says what is wrong with it.
+bool refuses(utsuri::Session& session, const utsuri::Scene& scene, const std::string& problem) {
+    try {
+        session.set_scene(scene);
+    } catch (const utsuri::InputError& error) {
+        fmt::print("refused: {}\n", error.what());
+        return std::string(error.what()).find(problem) != std::string::npos;
+    }
+    return false;
+}
+
 utsuri::Picture make_pixel(utsuri::Session& session, const utsuri::Scene& scene, const char* reflection) {
     utsuri::PictureSettings settings;
     settings.method = utsuri::find_method("direct", reflection);
@@ -77,13 +90,20 @@ int main() {
     utsuri::Picture drawn = make_pixel(session, scene, "hybrid");
     bool as_expected = shows(traced, kAlbedo, "traced") && shows(drawn, kAlbedo, "drawn");
 
+    utsuri::Scene broken = scene;
+    broken.instances.front().material = 3;
+    as_expected &= refuses(session, broken, "instances[0].material: is 3");
+
     scene.materials.front().base_colour *= 0.5f;
-    as_expected &= session.set_scene(scene) == utsuri::SceneUpdate::updated;
+    as_expected &= session.set_scene(scene).kind == utsuri::SceneUpdate::Kind::updated;
     as_expected &= shows(traced, 0.5 * kAlbedo, "traced, recoloured");
     as_expected &= shows(drawn, 0.5 * kAlbedo, "drawn, recoloured");
 
     scene.lights.clear();
-    as_expected &= session.set_scene(scene) == utsuri::SceneUpdate::rebuilt;
+    const utsuri::SceneUpdate update = session.set_scene(scene);
+    fmt::print("rebuilt: {}\n", update.reason);
+    as_expected &= update.kind == utsuri::SceneUpdate::Kind::rebuilt &&
+                   update.reason == "it now has 0 lights that shine where it had 1";
     as_expected &= shows(traced, 0.0, "traced, light off") && shows(drawn, 0.0, "drawn, light off");
     return as_expected ? 0 : 1;
 }
