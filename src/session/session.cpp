@@ -45,6 +45,10 @@ void SessionState::forget_gone_pictures() {
     std::erase_if(pictures, [](const std::weak_ptr<PictureState>& picture) { return picture.expired(); });
 }
 
+void SessionState::drop_unread_light() {
+    std::erase_if(scene->lights, [](const auto& light) { return !light.second.is_in_use(); });
+}
+
 void SessionState::drop_derived() {
     for (const std::shared_ptr<PictureState>& picture : live_pictures())
         picture->drop();
@@ -89,6 +93,7 @@ void update_picture(PictureState& picture, const SceneChange& change, Progress& 
 /// Has lights and pictures take over a change; if that ends half way, all of them are made anew.
 void update_derived(SessionState& state, const SceneChange& change, Progress& progress) {
     try {
+        state.drop_unread_light();
         for (auto& [method, light] : state.scene->lights)
             light.update(change, progress);
         for (const std::shared_ptr<PictureState>& picture : state.live_pictures())

@@ -61,8 +61,8 @@ class Session {
     ~Session();
 
     /// Gives the scene, or the scene as it is now: only what differs goes to the device. Pictures forget
-    /// their samples unless nothing has changed, and follow; so does the light kept on surfaces.
-    /// The scene need not outlive the call.
+    /// their samples unless nothing has changed, and follow; so does the light kept on surfaces, if some
+    /// picture reads it. The scene need not outlive the call.
     /// @returns what it did, and why if it is all made anew
     /// @throws InputError if the scene is not valid (check_scene()); the session keeps the scene it had,
     /// pictures their samples

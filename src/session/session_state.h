@@ -65,6 +65,8 @@ struct SessionState {
     /// Pictures that are still there.
     [[nodiscard]] std::vector<std::shared_ptr<PictureState>> live_pictures() const;
     void forget_gone_pictures();
+    /// Drops light that no renderer reads. It is made anew when it is next needed.
+    void drop_unread_light();
     /// Makes pictures and lights anew when they are next needed.
     void drop_derived();
 };

@@ -58,7 +58,7 @@ TEST_F(CapturedMaps, AreThoseThatReflectionsReach) {
         EXPECT_EQ(narrow.statistics().maps, kCubeFaces);
         EXPECT_EQ(narrow.statistics().captured_maps, 1u);
         const std::uint64_t texels = (settings_.size + 2) * (settings_.size + 2);
-        EXPECT_EQ(narrow.statistics().prepare_counts.rays - light_.get().cost().counts.rays, texels)
+        EXPECT_EQ(narrow.statistics().prepare_counts.rays - light_.get()->cost().counts.rays, texels)
             << "one ray a texel, from which surfaces that shine are seen";
     }
 }

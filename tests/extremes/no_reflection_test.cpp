@@ -40,7 +40,8 @@ class NoReflection : public DeviceTest {
         renderer.add_samples(film, 2, progress);
         EXPECT_EQ(reflectors_of(renderer), nullptr) << "kernels, pipelines and buffers of polygons";
         EXPECT_TRUE(renderer.maps().maps().infos().empty());
-        const std::uint64_t rays = renderer.statistics().prepare_counts.rays - light.get().cost().counts.rays;
+        const std::uint64_t rays =
+            renderer.statistics().prepare_counts.rays - light.get()->cost().counts.rays;
         return {bytes, rays, film.resolve()};
     }
 };
@@ -79,7 +80,7 @@ TEST_F(NoReflection, WhileAMirrorCosts) {
     EXPECT_GT(device().memory().current - before, 2 * small_bytes);
     Progress progress;
     small.prepare(progress);
-    EXPECT_GT(small.statistics().prepare_counts.rays, light.get().cost().counts.rays);
+    EXPECT_GT(small.statistics().prepare_counts.rays, light.get()->cost().counts.rays);
     EXPECT_NE(reflectors_of(small), nullptr);
 }
 

@@ -206,5 +206,42 @@ TEST_F(SessionTest, MakesRoomBeforeASceneIsRebuilt) {
     EXPECT_EQ(picture.samples(), 1u);
 }
 
+TEST_F(SessionTest, UpdatesTheLightThatPicturesRead) {
+    Scene scene = lit_floor();
+    session_.set_scene(scene);
+    Picture picture = traced(true);
+    picture.add_samples(1);
+    const std::uint64_t with_light = session_.memory().current;
+    scene.materials[0].base_colour = glm::vec3(0.25f);  // changes no light
+    EXPECT_EQ(session_.set_scene(scene).kind, Kind::updated);
+    EXPECT_EQ(session_.memory().current, with_light);
+    picture.add_samples(1);
+    EXPECT_EQ(picture.statistics().prepare_counts.rays, 0u) << "its light was not simulated again";
+}
+
+TEST_F(SessionTest, DropsTheLightThatNoPictureReads) {
+    Scene scene = lit_floor();
+    session_.set_scene(scene);
+    const std::uint64_t of_scene = session_.memory().current;
+    std::vector<glm::vec3> pixels;
+    {
+        Picture picture = traced(true);
+        picture.add_samples(1);
+        pixels = picture.image().pixels;
+    }
+    EXPECT_GT(session_.memory().current, of_scene) << "light is kept for the next picture";
+    Picture unlit = traced(false);
+    scene.lights[0].intensity *= 2.0f;
+    EXPECT_EQ(session_.set_scene(scene).kind, Kind::updated);
+    EXPECT_EQ(session_.memory().current, of_scene);
+
+    Picture picture = traced(true);
+    picture.add_samples(1);
+    std::vector<glm::vec3> doubled = pixels;
+    for (glm::vec3& pixel : doubled)
+        pixel *= 2.0f;
+    EXPECT_EQ(picture.image().pixels, doubled) << "made anew, of the scene as it is";
+}
+
 }  // namespace
 }  // namespace utsuri::test

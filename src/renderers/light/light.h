@@ -29,7 +29,7 @@ struct LightMethod {
 };
 
 /// The light of a method kept on the surfaces of a scene, made when it is first asked for: traced pictures
-/// need none.
+/// need none. Who reads it holds on to it.
 class KeptLight {
   public:
     /// All of them must outlive this.
@@ -38,10 +38,12 @@ class KeptLight {
         : device_(device), data_(data), scene_(scene), method_(method), settings_(settings) {}
 
     /// @throws DeviceError if it does not fit
-    [[nodiscard]] SurfaceLight& get() {
+    [[nodiscard]] std::shared_ptr<SurfaceLight> get() {
         if (!light_) light_ = method_.keep(device_, data_, scene_, settings_);
-        return *light_;
+        return light_;
     }
+    /// Whether someone holds on to what get() returned.
+    [[nodiscard]] bool is_in_use() const { return light_.use_count() > 1; }
     /// Tells it of a change of the scene, if it is there: SurfaceLight::update().
     void update(const SceneChange& change, Progress& progress) {
         if (light_) light_->update(change, progress);
@@ -53,7 +55,7 @@ class KeptLight {
     const GpuScene& scene_;
     const LightMethod& method_;
     LightSettings settings_;
-    std::unique_ptr<SurfaceLight> light_;
+    std::shared_ptr<SurfaceLight> light_;
 };
 
 }  // namespace utsuri

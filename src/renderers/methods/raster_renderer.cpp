@@ -35,7 +35,7 @@ void RasterRenderer::make_view(PreparedMaps* previous) {
         mirrors = find_plane_mirrors(data_);
         instances = curved_instances(data_, mirrors);
     }
-    maps_ = std::make_unique<PreparedMaps>(device_, data_, scene_, light_, camera_, method_.kind, settings_,
+    maps_ = std::make_unique<PreparedMaps>(device_, data_, scene_, *light_, camera_, method_.kind, settings_,
                                            map_settings_, instances, previous);
     if (method_.draws_mirrored_views) {
         view_ = std::make_unique<PlanarView>(device_, data_, *maps_, std::move(mirrors), method_.kind,
@@ -56,8 +56,8 @@ void RasterRenderer::warm_up() {
 
 void RasterRenderer::prepare(Progress& progress) {
     warm_up();
-    light_.fill(progress);
-    count_light(light_.cost());
+    light_->fill(progress);
+    count_light(light_->cost());
     maps_->prepare(camera_, statistics_, progress);
     capture_first_view(progress);
 }
@@ -66,9 +66,9 @@ void RasterRenderer::update(const SceneChange& change, Progress& progress) {
     restart_statistics();
     if (change.empty()) return;
     // May put other buffers in the place of those that drawing reads.
-    light_.update(change, progress);
-    light_.fill(progress);
-    if (change.geometry || change.lights) count_light(light_.cost());
+    light_->update(change, progress);
+    light_->fill(progress);
+    if (change.geometry || change.lights) count_light(light_->cost());
     // What draws reads buffers of the maps.
     samples_.reset();
     view_.reset();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/light/surface_light.h"
 #include "renderers/methods/prepared_maps.h"
 #include "renderers/methods/renderer.h"
 #include "renderers/methods/renderer_input.h"
@@ -61,7 +62,7 @@ class RasterRenderer : public Renderer {
     Device& device_;
     const SceneData& data_;
     const GpuScene& scene_;
-    SurfaceLight& light_;
+    std::shared_ptr<SurfaceLight> light_;
     RasterMethod method_;
     RenderSettings settings_;
     MapSettings map_settings_;

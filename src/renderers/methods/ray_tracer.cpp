@@ -15,7 +15,7 @@ RayTracer::RayTracer(const RendererInput& input, const RenderSettings& settings)
       data_(input.data),
       scene_(input.scene),
       light_(input.light),
-      kept_light_(settings.kept_light ? &input.kept_light.get() : nullptr),
+      kept_light_(settings.kept_light ? input.kept_light.get() : nullptr),
       settings_(settings),
       frame_{{}, settings.seed, std::min(settings.max_depth, input.scene.max_depth()), interop::NONE},
       kernel_(make_kernel()) {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "renderers/film/film_kernel.h"
+#include "renderers/light/surface_light.h"
 #include "renderers/methods/renderer.h"
 #include "renderers/methods/renderer_input.h"
+
+#include <memory>
 
 namespace utsuri {
 
@@ -27,7 +30,7 @@ class RayTracer : public Renderer {
     const SceneData& data_;
     const GpuScene& scene_;
     const LightMethod& light_;
-    SurfaceLight* kept_light_;  ///< with RenderSettings::kept_light
+    std::shared_ptr<SurfaceLight> kept_light_;  ///< with RenderSettings::kept_light
     RenderSettings settings_;
     FrameSettings frame_;
     FilmKernel kernel_;

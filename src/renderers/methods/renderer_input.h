@@ -9,13 +9,13 @@
 
 namespace utsuri {
 
-/// What a renderer is made from. Everything but the camera must outlive it: Session sees to that.
+/// What a renderer is made from. Device, data and scene must outlive it: Session sees to that.
 struct RendererInput {
     Device& device;
     const SceneData& data;
     const GpuScene& scene;
     const LightMethod& light;
-    KeptLight& kept_light;  ///< of that method; made and filled by the first renderer that needs it
+    KeptLight& kept_light;  ///< of that method; made and filled by the first renderer that reads it
     const Camera& camera;
 };
 
