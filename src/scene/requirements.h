@@ -69,6 +69,7 @@ bool may_be_mirror(const Scene& scene, const Material& material);
 /// Whether some point of the material has a glossy specular lobe.
 bool may_be_glossy(const Scene& scene, const Material& material);
 
+/// @param scene valid: check_scene()
 Requirements find_requirements(const Scene& scene);
 /// All of them but max_depth, which takes a pass over vertices: what is left goes over instances, materials
 /// and textures.

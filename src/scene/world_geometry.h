@@ -22,6 +22,7 @@ struct WorldGeometry {
     std::vector<std::uint32_t> instances;  ///< one per triangle
 };
 
+/// @param scene valid: check_scene()
 WorldGeometry make_world_geometry(const Scene& scene);
 /// With an origin that is given: of a scene that has changed, where it was before.
 WorldGeometry make_world_geometry(const Scene& scene, const glm::dvec3& origin);

@@ -32,6 +32,7 @@ struct SceneChange {
 /// geometry; only textures that differ are packed. Triangles keep their numbers unless the change is
 /// `rebuilt`; the BVH is refitted, or built anew where there are other triangles. Renderers follow with
 /// Renderer::update(), after GpuScene::update(). After an exception the data must not be used.
+/// @param scene valid: check_scene()
 SceneChange update_scene_data(SceneData& data, const Scene& scene);
 
 }  // namespace utsuri

@@ -77,6 +77,7 @@ struct SceneData {
 bool reflects_diffusely(const interop::MaterialInfo& material);
 
 /// Transforms the scene's geometry, builds its BVH, and lists its lights weighted by their power.
+/// @param scene valid: check_scene()
 SceneData prepare_scene_data(const Scene& scene);
 
 }  // namespace utsuri
