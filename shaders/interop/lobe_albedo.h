@@ -8,7 +8,7 @@ INTEROP_BEGIN
 /// slower, over perceptual roughness, both from 0 to 1.
 INTEROP_CONSTANT LOBE_ALBEDO_SIZE = 32u;
 
-/// What a surface reflects of uniform surroundings of radiance 1.
+/// What a surface reflects of a uniform environment of radiance 1.
 struct LobeAlbedo {
     float constant;  ///< glossy lobe: the factor of the reflectance at normal incidence
     float schlick;   ///< glossy lobe: the factor of the reflectance at grazing incidence

@@ -14,7 +14,7 @@ layout(constant_id = SPEC_HAS_GLOSSY) const bool HAS_GLOSSY = true;
 layout(constant_id = SPEC_HAS_MIRROR) const bool HAS_MIRROR = true;
 layout(constant_id = SPEC_EXCLUDES_INSTANCE) const bool EXCLUDES_INSTANCE = false;
 layout(constant_id = SPEC_LIGHT_COUNT) const uint LIGHT_COUNT = 0u;
-/// Index of the surroundings among the lights, or NONE.
+/// Index of the environment among the lights, or NONE.
 layout(constant_id = SPEC_ENVIRONMENT_LIGHT) const uint ENVIRONMENT_LIGHT = 0u;
 const bool HAS_ENVIRONMENT = ENVIRONMENT_LIGHT != NONE;
 

@@ -92,7 +92,7 @@ std::string describe(const InfoOptions& options, const LoadedScene& loaded, cons
     text += "requires\n";
     row("emissive triangles", fmt::format("{}", needs.emissive_triangles));
     row("punctual lights", fmt::format("{}", needs.punctual_lights));
-    row("uniform surroundings", yes(needs.environment));
+    row("uniform environment", yes(needs.environment));
     row("texture lookups", yes(needs.textures > 0));
     row("glossy lobes", yes(needs.glossy));
     row("mirrors", yes(needs.mirror));

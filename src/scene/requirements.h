@@ -49,7 +49,7 @@ struct Requirements {
     std::uint64_t texels = 0;
     std::uint64_t emissive_triangles = 0;
     std::uint32_t punctual_lights = 0;
-    bool environment = false;                         ///< uniform surroundings
+    bool environment = false;                         ///< uniform environment
     bool glossy = false;                              ///< glossy specular lobes
     bool mirror = false;                              ///< perfect mirrors or smooth dielectrics
     std::vector<std::uint32_t> reflective_instances;  ///< with triangles and a mirror lobe; ascending

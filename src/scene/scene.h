@@ -47,7 +47,7 @@ struct Scene {
     std::vector<Texture> textures;
     std::vector<Light> lights;
     std::vector<Camera> cameras;  ///< to choose from; may be empty, but not for the program
-    glm::vec3 environment{0.0f};  ///< cd/m2, >= 0, of the uniform surroundings that escaping rays see
+    glm::vec3 environment{0.0f};  ///< cd/m2, >= 0, of the uniform environment that escaping rays see
 };
 
 }  // namespace utsuri

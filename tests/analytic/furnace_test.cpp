@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// White furnace: under uniform surroundings of radiance 1 a pixel is the surface's directional albedo.
+// White furnace: under a uniform environment of radiance 1 a pixel is the surface's directional albedo.
 #include "support/estimate.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"

@@ -120,7 +120,7 @@ TEST_F(GlossyReflections, TheDepthBoundsReflectionsButNotDirectLight) {
     expect_radiance(estimate_of(shining.picture(camera, settings, 1024)), 0.886244);
 }
 
-/// Two half planes of GGX metal that meet at a right angle, in uniform surroundings of radiance 1, by brute
+/// Two half planes of GGX metal that meet at a right angle, in a uniform environment of radiance 1, by brute
 /// force: directions uniform over the hemisphere, in float64, with nothing but the BRDF in common with the
 /// device. Where the planes reach to infinity, what a ray meets follows from its direction alone.
 class Corner {

@@ -82,7 +82,7 @@ TEST_F(KeptLightTraced, TakesNoShadowRaysOnMattSurfaces) {
     EXPECT_GT(traced.statistics.prepare_counts.rays, 0u);
 }
 
-// Under uniform surroundings of radiance 1 a pixel tells the albedo of all lobes. Kept light leaves by the
+// Under a uniform environment of radiance 1 a pixel tells the albedo of all lobes. Kept light leaves by the
 // mean share that the glossy lobe lets through, which is exact there: it is the mean over a Lambert lobe of
 // uniform light.
 TEST_F(KeptLightTraced, HasTheAlbedoOfGlossySurfaces) {

@@ -116,7 +116,7 @@ Image look_along(Observer& observer, const glm::dvec3& direction, std::uint32_t 
 }
 
 // Unfolded, the path advances tan = 0.1 a crossing and half of that before the first hit: hits at x = (k -
-// 1/2) / 10, the tenth at 0.95; then it leaves for the surroundings of radiance 1. Each hit reflects by
+// 1/2) / 10, the tenth at 0.95; then it leaves for the environment of radiance 1. Each hit reflects by
 // Schlick's curve at that angle.
 TEST_F(Mirrors, AChainOfTenReflections) {
     Scene scene = facing_mirrors(0.0f);

@@ -121,7 +121,7 @@ Scene facing_mirrors(float emission) {
 constexpr double kReflectance = static_cast<double>(0.9f);
 constexpr std::uint64_t kLookSamples = 2 * kCloseUpSize * kCloseUpSize;
 
-// As AChainOfTenReflections of mirrors_test.cpp: ten mirrors, then the surroundings of radiance 1.
+// As AChainOfTenReflections of mirrors_test.cpp: ten mirrors, then the environment of radiance 1.
 TEST_F(Planar, AChainOfTenReflections) {
     Scene scene = facing_mirrors(0.0f);
     scene.environment = glm::vec3(1.0f);

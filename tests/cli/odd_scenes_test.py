@@ -25,7 +25,7 @@ class OddScenes(OddCase):
     def test_without_light(self):
         path = self.write(*gltf_scene.mesh_document(light=False))
         pictures, told = self.pictures(path)
-        self.check_notes(path, told, "no light in the file: lit by uniform surroundings of 1 cd/m2", 2)
+        self.check_notes(path, told, "no light in the file: lit by a uniform environment of 1 cd/m2", 2)
         traced = pictures.pop("trace")
         for method, rows in pictures.items():
             self.assert_within(rows, lambda *pixel: plate.furnace_bounds(plate.footprint(*pixel)), method)

@@ -13,7 +13,7 @@ NAN, INFINITY = math.nan, math.inf
 
 class OddTriangles(OddCase):
     def check(self, positions, indices, note):
-        """The square alone is left: as lit metal, and as a mirror that shows uniform surroundings."""
+        """The square alone is left: as lit metal, and as a mirror that shows a uniform environment."""
         path = self.write(*gltf_scene.mesh_document(positions, indices))
         pictures, told = self.pictures(path)
         self.check_notes(path, told, note, 2)

@@ -49,7 +49,7 @@ def lit_bounds(places):
 
 
 def furnace_bounds(places):
-    """Least and most radiance of a pixel in uniform surroundings of 1, but for the noise of traced ones."""
+    """Least and most radiance of a pixel in a uniform environment of 1, but for the noise of traced ones."""
     covered = cover(places)
     if covered == 0.0:
         return 1.0, 1.0

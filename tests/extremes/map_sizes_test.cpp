@@ -19,7 +19,7 @@ namespace {
 constexpr float kRadiance = 3.0f;
 constexpr std::uint32_t kLargest = 4096;
 
-/// A mirror ball in uniform surroundings, which it shows whatever the maps are like.
+/// A mirror ball in a uniform environment, which it shows whatever the maps are like.
 Scene furnace() {
     Scene scene;
     scene.environment = glm::vec3(kRadiance);

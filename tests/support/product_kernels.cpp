@@ -6,28 +6,28 @@
 #include "kernels/bound_distances.h"
 #include "kernels/bound_radiance.h"
 #include "kernels/cut_polygons.h"
-#include "kernels/draw_curved_reflectors_vert.h"
 #include "kernels/draw_curved_vert.h"
 #include "kernels/draw_cut_pieces_vert.h"
 #include "kernels/draw_depth_vert.h"
 #include "kernels/draw_distance_reflector_frag.h"
+#include "kernels/draw_environment_vert.h"
 #include "kernels/draw_hybrid_reflector_frag.h"
 #include "kernels/draw_mirrored_curved_frag.h"
 #include "kernels/draw_mirrored_depth_frag.h"
 #include "kernels/draw_mirrored_depth_vert.h"
+#include "kernels/draw_mirrored_environment_frag.h"
 #include "kernels/draw_mirrored_hybrid_frag.h"
 #include "kernels/draw_mirrored_mirror_frag.h"
 #include "kernels/draw_mirrored_scene_frag.h"
-#include "kernels/draw_mirrored_surroundings_frag.h"
 #include "kernels/draw_mirrored_traced_mirror_frag.h"
 #include "kernels/draw_predicted_curved_vert.h"
+#include "kernels/draw_predicted_reflectors_vert.h"
 #include "kernels/draw_radiance_hybrid_reflector_frag.h"
 #include "kernels/draw_reflector_depth_vert.h"
 #include "kernels/draw_reflector_frag.h"
 #include "kernels/draw_reflectors_vert.h"
 #include "kernels/draw_scene_frag.h"
 #include "kernels/draw_scene_vert.h"
-#include "kernels/draw_surroundings_vert.h"
 #include "kernels/draw_whole_pieces_vert.h"
 #include "kernels/fill_light_cache.h"
 #include "kernels/halve_map.h"
@@ -55,7 +55,7 @@ std::vector<ProductKernel> product_kernels() {
             {"bound_distances", kernels::bound_distances},
             {"bound_radiance", kernels::bound_radiance},
             {"cut_polygons", kernels::cut_polygons},
-            {"draw_curved_reflectors_vert", kernels::draw_curved_reflectors_vert},
+            {"draw_predicted_reflectors_vert", kernels::draw_predicted_reflectors_vert},
             {"draw_curved_vert", kernels::draw_curved_vert},
             {"draw_cut_pieces_vert", kernels::draw_cut_pieces_vert},
             {"draw_depth_vert", kernels::draw_depth_vert},
@@ -67,7 +67,7 @@ std::vector<ProductKernel> product_kernels() {
             {"draw_mirrored_hybrid_frag", kernels::draw_mirrored_hybrid_frag},
             {"draw_mirrored_mirror_frag", kernels::draw_mirrored_mirror_frag},
             {"draw_mirrored_scene_frag", kernels::draw_mirrored_scene_frag},
-            {"draw_mirrored_surroundings_frag", kernels::draw_mirrored_surroundings_frag},
+            {"draw_mirrored_environment_frag", kernels::draw_mirrored_environment_frag},
             {"draw_mirrored_traced_mirror_frag", kernels::draw_mirrored_traced_mirror_frag},
             {"draw_predicted_curved_vert", kernels::draw_predicted_curved_vert},
             {"draw_radiance_hybrid_reflector_frag", kernels::draw_radiance_hybrid_reflector_frag},
@@ -76,7 +76,7 @@ std::vector<ProductKernel> product_kernels() {
             {"draw_reflectors_vert", kernels::draw_reflectors_vert},
             {"draw_scene_frag", kernels::draw_scene_frag},
             {"draw_scene_vert", kernels::draw_scene_vert},
-            {"draw_surroundings_vert", kernels::draw_surroundings_vert},
+            {"draw_environment_vert", kernels::draw_environment_vert},
             {"draw_whole_pieces_vert", kernels::draw_whole_pieces_vert},
             {"fill_light_cache", kernels::fill_light_cache},
             {"halve_map", kernels::halve_map},

@@ -13,7 +13,7 @@ bool look_up(Surface surface, vec3 wo, out vec3 radiance) {
     SearchRay ray = reflection.ray;
     HitInterval interval = reflection.interval;
     if (!is_bounded(interval)) return false;
-    radiance = polygon_map(reflection.probe, seen_along(ray, interval.guess));
+    radiance = map_radiance(reflection.probe, seen_along(ray, interval.guess));
     RadianceBounds truth =
         bounds_along(distance_maps[reflection.probe].first_bounds, seen_along(ray, interval.t0), seen_along(ray, interval.t1));
     return relative_error(radiance, truth) <= frame.tolerance;

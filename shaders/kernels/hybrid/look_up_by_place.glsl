@@ -9,7 +9,7 @@
 bool look_up(Surface surface, vec3 wo, out vec3 radiance) {
     DrawnReflection reflection;
     if (!find_within_tolerance(surface, wo, reflection)) return false;
-    radiance = polygon_map(reflection.probe, seen_along(reflection.ray, reflection.interval.guess));
+    radiance = map_radiance(reflection.probe, seen_along(reflection.ray, reflection.interval.guess));
     return true;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the lobes of a surface reflect of uniform surroundings, from a table.
+// What the lobes of a surface reflect of a uniform environment, from a table.
 #ifndef UTSURI_KERNELS_LIGHT_LOBE_ALBEDO
 #define UTSURI_KERNELS_LIGHT_LOBE_ALBEDO
 

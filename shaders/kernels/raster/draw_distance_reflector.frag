@@ -17,7 +17,7 @@ void main() {
         ProbeHit hit = search_probes(drawn_ids.w, surface.position, mirror_direction(surface, wo));
         vec3 direction = isinf(hit.interval.guess) ? hit.ray.direction : ray_place(hit.ray, hit.interval.guess);
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
-                    polygon_map(hit.probe, direction);
+                    map_radiance(hit.probe, direction);
     }
     drawn = vec4(radiance, found);
 }

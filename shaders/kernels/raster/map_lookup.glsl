@@ -10,7 +10,7 @@
 #include "lib/camera.glsl"
 #include "lib/surface.glsl"
 
-vec3 polygon_map(uint probe, vec3 direction) {
+vec3 map_radiance(uint probe, vec3 direction) {
     uint face = map_face(direction);
     vec3 p = map_position(map_faces[face], direction);
     return sample_map(probe, face, p.xy / p.z);
@@ -46,7 +46,7 @@ vec3 mapped_radiance(Surface surface, vec3 wi) {
     }
     uint probe = drawn_probe(surface, wi);
     if (MAP_KIND == MAP_KIND_SPHERE) return sample_map(probe, 0u, 2.0 * drawn_reflection.xy - 1.0);
-    return polygon_map(probe, looked_up_direction(surface, probe, wi));
+    return map_radiance(probe, looked_up_direction(surface, probe, wi));
 }
 
 /// Half the diagonal of the texel of a probe's maps that a direction points at, as an angle.

@@ -45,7 +45,7 @@ constexpr std::array kEffects = {
     Effect{"KHR_draco_mesh_compression", "the uncompressed copy is drawn"},
     Effect{"EXT_meshopt_compression", "the uncompressed copy is drawn"},
     Effect{"EXT_mesh_gpu_instancing", "one copy is drawn of each instanced mesh"},
-    Effect{"EXT_lights_image_based", "light from the surroundings is missing"},
+    Effect{"EXT_lights_image_based", "light from the environment is missing"},
     Effect{"KHR_animation_pointer", "the scene is drawn at rest"},
     Effect{"KHR_node_visibility", "hidden nodes are drawn"},
 };

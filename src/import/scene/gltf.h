@@ -12,7 +12,7 @@ struct ImportResult {
     Scene scene;
     Notes ignored;  ///< glTF features present but not used, by name and place
     Notes dropped;  ///< geometry that cannot be drawn, with counts
-    Notes added;    ///< what the file lacks and the importer supplied: normals, a camera, surroundings
+    Notes added;    ///< what the file lacks and the importer supplied: normals, a camera, an environment
 };
 
 /// Reads glTF 2.0, as .gltf or .glb (told apart by content), with external, embedded or data-URI resources.

@@ -88,7 +88,7 @@ void add_default_light(ImportContext& context) {
     };
     if (!scene.lights.empty() || std::any_of(scene.instances.begin(), scene.instances.end(), emits)) return;
     scene.environment = glm::vec3(1.0f);
-    context.result.added.emplace_back("no light in the file: lit by uniform surroundings of 1 cd/m2");
+    context.result.added.emplace_back("no light in the file: lit by a uniform environment of 1 cd/m2");
 }
 
 }  // namespace utsuri

@@ -11,7 +11,7 @@ namespace utsuri {
 /// @throws InputError if the cone angles are out of order or the intensity is beyond float32.
 void import_light(ImportContext& context, const PlacedNode& placed);
 
-/// Gives a scene without any light uniform surroundings, and says so.
+/// Gives a scene without any light a uniform environment, and says so.
 void add_default_light(ImportContext& context);
 
 }  // namespace utsuri

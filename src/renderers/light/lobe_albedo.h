@@ -7,7 +7,7 @@
 
 namespace utsuri {
 
-/// What a lobe of GGX width `alpha` and a Lambert lobe reflect of uniform surroundings towards a viewer at
+/// What a lobe of GGX width `alpha` and a Lambert lobe reflect of a uniform environment towards a viewer at
 /// the cosine `mu`, by quadrature in float64, to 5e-4.
 interop::LobeAlbedo lobe_albedo(double alpha, double mu);
 

@@ -82,7 +82,7 @@ std::string differing_requirement(const Step& step) {
     if (std::string text = differing_counts(step); !text.empty()) return text;
     const Requirements& a = step.before.requirements;
     const Requirements& b = step.after.requirements;
-    if (b.environment != a.environment) return "its surroundings were switched on or off";
+    if (b.environment != a.environment) return "its environment was switched on or off";
     if ((b.punctual_lights > 0) != (a.punctual_lights > 0))
         return "it now has punctual lights, or none any more";
     if ((b.emissive_triangles > 0) != (a.emissive_triangles > 0))
@@ -160,7 +160,7 @@ SceneChange find_changes(const Step& step) {
     change.lights |= !same_bits(before.lights, after.lights);
     const std::optional<std::uint32_t> then = before.environment_light();
     const std::optional<std::uint32_t> now = after.environment_light();
-    change.surroundings = now && before.lights[*then].intensity != after.lights[*now].intensity;
+    change.environment = now && before.lights[*then].intensity != after.lights[*now].intensity;
     return change;
 }
 
@@ -168,7 +168,7 @@ SceneChange rebuilt(std::string reason) {
     SceneChange change;
     change.geometry = true;
     change.lights = true;
-    change.surroundings = true;
+    change.environment = true;
     change.rebuilt = true;
     change.reason = std::move(reason);
     return change;

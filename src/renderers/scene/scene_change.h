@@ -17,14 +17,14 @@ struct SceneChange {
     /// Some light shines otherwise or elsewhere, is chosen more or less often, or falls on surfaces that
     /// became diffuse or ceased to be.
     bool lights = false;
-    bool surroundings = false;  ///< the uniform surroundings shine otherwise
+    bool environment = false;  ///< the environment shines otherwise
     /// What was made from the scene's requirements no longer holds: sizes of buffers, constants of kernels,
     /// numbers of triangles. Whoever keeps anything about the scene must make it anew, bindings included.
     /// There are then no triangles in the lists, and all that may have changed counts as changed.
     bool rebuilt = false;
     std::string reason;  ///< why, for messages: "it now has 3 lights that shine where it had 2"
 
-    [[nodiscard]] bool empty() const { return triangles.empty() && !lights && !surroundings && !rebuilt; }
+    [[nodiscard]] bool empty() const { return triangles.empty() && !lights && !environment && !rebuilt; }
 };
 
 /// Makes the data of a scene those of the scene as it is now, whatever has changed. What did not is neither

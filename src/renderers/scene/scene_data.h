@@ -53,7 +53,7 @@ struct SceneData {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> texcoords;  ///< only with textures
     std::vector<interop::MaterialInfo> materials;
-    std::vector<interop::LightInfo> lights;      ///< surroundings, punctual ones, then triangles
+    std::vector<interop::LightInfo> lights;      ///< environment, punctual ones, then triangles
     std::vector<TextureHeader> texture_headers;  ///< only textures in use; of the host alone
     std::vector<std::uint32_t> texels;           ///< RGBA8, red in the lowest byte
     double build_seconds = 0.0;                  ///< of the BVH, or of what its last change took
@@ -67,7 +67,7 @@ struct SceneData {
     std::uint32_t revision = 0;               ///< calls of update_scene_data() since the scene was prepared
     std::vector<ChangedBytes> changed_bytes;  ///< of each of scene_buffers(), by the last such call
 
-    /// Index of the uniform surroundings among the lights; none if they are black.
+    /// Index of the environment among the lights; none if they are black.
     [[nodiscard]] std::optional<std::uint32_t> environment_light() const;
     /// What the scene takes on the device, in bytes.
     [[nodiscard]] std::uint64_t device_bytes() const;

@@ -16,7 +16,7 @@ TEST(EmptyScenes, ImportWithCameraAndSurroundings) {
     EXPECT_EQ(result.scene.environment, glm::vec3(1));
     EXPECT_THAT(result.added,
                 ElementsAre("no triangle in the file: the scene is empty",
-                            "no light in the file: lit by uniform surroundings of 1 cd/m2",
+                            "no light in the file: lit by a uniform environment of 1 cd/m2",
                             "no camera in the file: one that frames the whole scene, named \"default\""));
 }
 

@@ -144,7 +144,7 @@ TEST(Surroundings, LightASceneWithoutLight) {
     writer.add_triangle();
     const ImportResult result = writer.import();
     EXPECT_EQ(result.scene.environment, glm::vec3(1));
-    EXPECT_THAT(result.added, Contains("no light in the file: lit by uniform surroundings of 1 cd/m2"));
+    EXPECT_THAT(result.added, Contains("no light in the file: lit by a uniform environment of 1 cd/m2"));
 }
 
 TEST(Surroundings, AreDarkWhereSomethingEmits) {

@@ -14,7 +14,7 @@ namespace {
 /// The reflector is instance 0 of every scene here.
 constexpr std::uint32_t kReflector = 0;
 
-std::optional<MirrorPlane> plane_of_reflector(const Scene& scene, double factor = 1.0) {
+std::optional<ReflectorPlane> plane_of_reflector(const Scene& scene, double factor = 1.0) {
     const SceneData data = prepare_scene_data(test::scaled(scene, factor));
     return plane_of(data, kReflector);
 }
@@ -33,7 +33,8 @@ TEST(ReflectorPlane, OfAPlaneMirrorFacesTheRoom) {
     const Mesh away = test::quad({-1, 0.5f, -1.9f}, {0, 1, 0}, {2, 0, 0});
     for (const Mesh& mesh : {towards, away}) {
         for (const int k : {-20, 0, 20}) {
-            const std::optional<MirrorPlane> plane = plane_of_reflector(with_room(mesh), std::ldexp(1.0, k));
+            const std::optional<ReflectorPlane> plane =
+                plane_of_reflector(with_room(mesh), std::ldexp(1.0, k));
             ASSERT_TRUE(plane) << "k = " << k;
             EXPECT_NEAR(plane->normal.z, 1.0, 1e-12);
         }

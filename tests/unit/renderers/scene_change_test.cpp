@@ -131,19 +131,19 @@ TEST_F(SceneChanges, OfLightsAreTold) {
     SceneChange change = this->change();
     EXPECT_TRUE(change.triangles.empty());
     EXPECT_TRUE(change.lights);
-    EXPECT_FALSE(change.surroundings);
+    EXPECT_FALSE(change.environment);
     EXPECT_EQ(data_.light_revision, 1u);
 
     scene_.environment = glm::vec3(0.2f);
     change = this->change();
-    EXPECT_TRUE(change.surroundings);
+    EXPECT_TRUE(change.environment);
     EXPECT_EQ(data_.light_revision, 2u);
 
     scene_.materials[1].emissive = glm::vec3(4.0f);
     change = this->change();
     EXPECT_EQ(change.triangles, triangles_of(data_, 1));
     EXPECT_TRUE(change.lights);
-    EXPECT_FALSE(change.surroundings);
+    EXPECT_FALSE(change.environment);
 }
 
 TEST_F(SceneChanges, OfWhatIsMadeFromTheSceneRebuildIt) {
@@ -154,7 +154,7 @@ TEST_F(SceneChanges, OfWhatIsMadeFromTheSceneRebuildIt) {
         const SceneChange change = update_scene_data(data, scene);
         EXPECT_EQ(change.rebuilt, !change.reason.empty());
         EXPECT_FALSE(change.empty());
-        EXPECT_TRUE(change.geometry && change.lights && change.surroundings);
+        EXPECT_TRUE(change.geometry && change.lights && change.environment);
         EXPECT_THAT(change.triangles, IsEmpty());
         EXPECT_EQ(data.light_revision, 2u) << "light of one change before is never taken for it";
         expect_same_buffers(data, prepare_scene_data(scene));
@@ -171,7 +171,7 @@ TEST_F(SceneChanges, OfWhatIsMadeFromTheSceneRebuildIt) {
                   s.environment = glm::vec3(0.0f);
                   s.lights.push_back(s.lights[0]);
               }),
-              "its surroundings were switched on or off");
+              "its environment was switched on or off");
     EXPECT_THAT(reason([](Scene& s) { s.materials[0] = mirror(); }), HasSubstr("it became rough, a mirror"));
     EXPECT_EQ(reason([](Scene& s) { s.meshes[0] = icosphere(glm::vec3(0), 1, 1); }),
               "it now has 82 triangles where it had 4");

@@ -129,8 +129,8 @@ bool SeenChanges::surfaces_may_change_in(const ViewPyramid& view, std::uint32_t 
 bool SeenChanges::appearance_may_change_in(const ViewPyramid& view, std::uint32_t without) const {
     if (empty()) return false;
     const auto shows = [&](std::uint32_t triangle) { return view.may_show(data_.bvh.triangles[triangle]); };
-    return change_.surroundings || surfaces_may_change_in(view, without) ||
-           shows_reflections(view, without) || lit_groups_.any_in(view, without, shows);
+    return change_.environment || surfaces_may_change_in(view, without) || shows_reflections(view, without) ||
+           lit_groups_.any_in(view, without, shows);
 }
 
 bool SeenChanges::shows_reflections(const ViewPyramid& view, std::uint32_t without) const {

@@ -7,17 +7,17 @@
 #include "interop/specialization.h"
 #include "kernels/draw_curved_vert.h"
 #include "kernels/draw_depth_vert.h"
+#include "kernels/draw_environment_vert.h"
 #include "kernels/draw_mirrored_curved_frag.h"
 #include "kernels/draw_mirrored_depth_frag.h"
 #include "kernels/draw_mirrored_depth_vert.h"
+#include "kernels/draw_mirrored_environment_frag.h"
 #include "kernels/draw_mirrored_hybrid_frag.h"
 #include "kernels/draw_mirrored_mirror_frag.h"
 #include "kernels/draw_mirrored_scene_frag.h"
-#include "kernels/draw_mirrored_surroundings_frag.h"
 #include "kernels/draw_mirrored_traced_mirror_frag.h"
 #include "kernels/draw_predicted_curved_vert.h"
 #include "kernels/draw_scene_vert.h"
-#include "kernels/draw_surroundings_vert.h"
 
 #include <algorithm>
 
@@ -89,9 +89,9 @@ MirroredViewDrawer::MirroredViewDrawer(Device& device, const SceneData& data, Mi
                                           specialization, bindings));
     }
     if (!data.requirements.environment) return;
-    surroundings_.emplace(make_pass("draw_mirrored_surroundings", kernels::draw_surroundings_vert,
-                                    kernels::draw_mirrored_surroundings_frag, DepthTest::equal,
-                                    specialization, bindings));
+    environment_.emplace(make_pass("draw_mirrored_environment", kernels::draw_environment_vert,
+                                   kernels::draw_mirrored_environment_frag, DepthTest::equal, specialization,
+                                   bindings));
 }
 
 Bindings MirroredViewDrawer::all_bindings(Bindings bindings) const {
@@ -118,7 +118,7 @@ void MirroredViewDrawer::warm_up(const vk::raii::CommandBuffer& commands) const 
     for (const Batch& batch : batches_)
         batch.pass.pipeline.draw(commands, batch.pass.bindings, nothing, batch.range.first, 1);
     for (const std::optional<Pass>* pass :
-         {&curved_, &view_depth_, &mirrors_, &traced_mirrors_, &surroundings_}) {
+         {&curved_, &view_depth_, &mirrors_, &traced_mirrors_, &environment_}) {
         if (*pass) (*pass)->pipeline.draw(commands, (*pass)->bindings, nothing, 0, 1);
     }
 }
@@ -141,8 +141,8 @@ void MirroredViewDrawer::draw(const vk::raii::CommandBuffer& commands, const std
         curved_->pipeline.draw(commands, curved_->bindings, push, triangles_.curved.first,
                                triangles_.curved.count);
     draw_mirrors(commands, view, push, max_depth);
-    if (surroundings_ && view.mirror != interop::NONE)
-        surroundings_->pipeline.draw(commands, surroundings_->bindings, push, 0, 1);
+    if (environment_ && view.mirror != interop::NONE)
+        environment_->pipeline.draw(commands, environment_->bindings, push, 0, 1);
 }
 
 void MirroredViewDrawer::draw_depth(const vk::raii::CommandBuffer& commands, const MirroredView& view,

@@ -70,7 +70,7 @@ class MirroredViewDrawer {
     std::optional<Pass> view_depth_;
     std::optional<Pass> mirrors_;
     std::optional<Pass> traced_mirrors_;  ///< whose views are not drawn
-    std::optional<Pass> surroundings_;
+    std::optional<Pass> environment_;
 };
 
 }  // namespace utsuri

@@ -19,7 +19,7 @@ namespace utsuri {
 /// @throws DeviceError if the device has no raster pipeline
 Device& require_graphics(Device& device);
 
-/// What a drawn picture shows where nothing is: the surroundings.
+/// What a drawn picture shows where nothing is: the environment.
 std::array<float, 4> background_of(const SceneData& data);
 
 /// Distance of the near plane, scene space.

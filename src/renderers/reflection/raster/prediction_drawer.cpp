@@ -7,8 +7,8 @@
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
-#include "kernels/draw_curved_reflectors_vert.h"
 #include "kernels/draw_depth_vert.h"
+#include "kernels/draw_predicted_reflectors_vert.h"
 #include "kernels/measure_reflection_frag.h"
 #include "kernels/predict_reflection_frag.h"
 
@@ -71,7 +71,7 @@ PredictionDrawer::Stage PredictionDrawer::make_stage(const char* name,
     Specialization constants = specialization;
     constants[interop::SPEC_EXCLUDES_INSTANCE] = 1;
     bindings[interop::BINDING_DRAWN_POLYGONS] = &polygons_;
-    RasterPipeline pipeline(device_, name, kernels::draw_curved_reflectors_vert, fragment, constants,
+    RasterPipeline pipeline(device_, name, kernels::draw_predicted_reflectors_vert, fragment, constants,
                             sizeof(interop::ViewPush));
     BindingSet set = pipeline.bind(bindings);
     return {std::move(pipeline), std::move(set)};

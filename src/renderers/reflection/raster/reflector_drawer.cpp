@@ -6,10 +6,10 @@
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/cut_polygons.h"
-#include "kernels/draw_curved_reflectors_vert.h"
 #include "kernels/draw_cut_pieces_vert.h"
 #include "kernels/draw_distance_reflector_frag.h"
 #include "kernels/draw_hybrid_reflector_frag.h"
+#include "kernels/draw_predicted_reflectors_vert.h"
 #include "kernels/draw_radiance_hybrid_reflector_frag.h"
 #include "kernels/draw_reflector_depth_vert.h"
 #include "kernels/draw_reflector_frag.h"
@@ -59,7 +59,7 @@ std::span<const std::uint32_t> whole_fragment(MapKind kind, Tolerance::Of tolera
 }
 
 std::span<const std::uint32_t> whole_vertex(MapKind kind) {
-    return kind == MapKind::hybrid ? std::span<const std::uint32_t>(kernels::draw_curved_reflectors_vert)
+    return kind == MapKind::hybrid ? std::span<const std::uint32_t>(kernels::draw_predicted_reflectors_vert)
                                    : std::span<const std::uint32_t>(kernels::draw_reflectors_vert);
 }
 

@@ -85,7 +85,7 @@ std::vector<ReflectedRay> reflected_rays(const SceneData& scene, std::uint32_t i
     std::vector<ReflectedRay> rays;
     const Area area(scene, instance);
     if (area.empty()) return rays;
-    const std::optional<MirrorPlane> plane = plane_of(scene, instance);
+    const std::optional<ReflectorPlane> plane = plane_of(scene, instance);
     for (std::uint32_t i = 0; i < count; ++i) {
         const Area::Point point = area.at(kRayKey, i);
         const glm::dvec3 normal = plane ? plane->normal : point.normal;

@@ -16,7 +16,7 @@ namespace utsuri {
 namespace {
 
 /// The plane of the largest triangle, if it holds all of them.
-std::optional<MirrorPlane> common_plane(const SceneData& scene, std::span<const std::uint32_t> triangles) {
+std::optional<ReflectorPlane> common_plane(const SceneData& scene, std::span<const std::uint32_t> triangles) {
     const auto area = [&](std::uint32_t t) { return glm::length(doubled_area(corners_of(scene, t))); };
     const auto largest =
         std::max_element(triangles.begin(), triangles.end(),
@@ -25,11 +25,11 @@ std::optional<MirrorPlane> common_plane(const SceneData& scene, std::span<const 
     const TrianglePlane plane(scene, *largest);
     if (!std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t t) { return plane.holds(t); }))
         return std::nullopt;
-    return MirrorPlane{plane.normal(), glm::dot(plane.normal(), corners_of(scene, *largest)[0])};
+    return ReflectorPlane{plane.normal(), glm::dot(plane.normal(), corners_of(scene, *largest)[0])};
 }
 
 /// Mean of how far one sees from a point of a mirror to the side that a normal points to, in diagonals of the
-/// scene. Where nothing is met there is nothing to see, unless the scene has surroundings.
+/// scene. Where nothing is met there is nothing to see, unless the scene has an environment.
 double openness(const SceneData& scene, std::uint32_t instance, const glm::dvec3& point,
                 const glm::dvec3& normal) {
     constexpr int kDirections = 128;
@@ -47,13 +47,13 @@ double openness(const SceneData& scene, std::uint32_t instance, const glm::dvec3
 
 }  // namespace
 
-std::optional<MirrorPlane> plane_of(const SceneData& scene, std::uint32_t instance) {
-    std::optional<MirrorPlane> plane = common_plane(scene, triangles_of(scene, instance));
+std::optional<ReflectorPlane> plane_of(const SceneData& scene, std::uint32_t instance) {
+    std::optional<ReflectorPlane> plane = common_plane(scene, triangles_of(scene, instance));
     if (!plane) return plane;
     const Bounds& bounds = bounds_of(scene, instance);
     const glm::dvec3 point = 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
     if (openness(scene, instance, point, -plane->normal) > openness(scene, instance, point, plane->normal))
-        plane = MirrorPlane{-plane->normal, -plane->distance};
+        plane = ReflectorPlane{-plane->normal, -plane->distance};
     return plane;
 }
 

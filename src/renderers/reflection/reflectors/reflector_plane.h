@@ -11,13 +11,13 @@
 namespace utsuri {
 
 /// The plane dot(normal, x) = distance, scene space.
-struct MirrorPlane {
+struct ReflectorPlane {
     glm::dvec3 normal;  ///< unit, towards the side from which more of the scene is seen
     double distance;
 };
 
 /// The plane of a reflective instance, if all its triangles lie in one: what is behind that is never
 /// mirrored.
-std::optional<MirrorPlane> plane_of(const SceneData& scene, std::uint32_t instance);
+std::optional<ReflectorPlane> plane_of(const SceneData& scene, std::uint32_t instance);
 
 }  // namespace utsuri
