@@ -13,10 +13,18 @@ struct TriangleInfo {
     uint light;  ///< the light this triangle is, or NONE
 };
 
+/// How a texture is looked up: TextureSlotInfo::sampling has wrap_s + (wrap_t << TEXTURE_WRAP_BITS), and
+/// TEXTURE_LINEAR where it is filtered. Texels repeat unless a wrap mode says otherwise.
+INTEROP_CONSTANT TEXTURE_CLAMP_TO_EDGE = 1u;
+INTEROP_CONSTANT TEXTURE_MIRRORED_REPEAT = 2u;
+INTEROP_CONSTANT TEXTURE_WRAP_BITS = 2u;
+INTEROP_CONSTANT TEXTURE_WRAP_MASK = 3u;
+INTEROP_CONSTANT TEXTURE_LINEAR = 16u;
+
 /// What a material looks up, and how.
 struct TextureSlotInfo {
     uint texture;      ///< its number among the textures in use, or NONE
-    uint sampling;     ///< wrap s (bits 0-1), wrap t (bits 2-3), filter (bit 4): the enums of scene/texture.h
+    uint sampling;     ///< as above
     uint first_texel;  ///< of the texture
     uint width;
     uint height;

@@ -2,7 +2,7 @@
 #ifndef UTSURI_LIB_COSINE
 #define UTSURI_LIB_COSINE
 
-#include "lib/frame.glsl"
+#include "lib/basis.glsl"
 #include "lib/trigonometry.glsl"
 
 /// A direction about the unit vector n whose density over solid angle is its cosine to n, over pi.

@@ -3,7 +3,7 @@
 #ifndef UTSURI_LIB_MICROFACET
 #define UTSURI_LIB_MICROFACET
 
-#include "lib/frame.glsl"
+#include "lib/basis.glsl"
 #include "lib/numeric.glsl"
 #include "lib/trigonometry.glsl"
 

@@ -18,6 +18,10 @@ struct SurfaceFeatures {
     bool textured = false;
 
     friend auto operator<=>(const SurfaceFeatures&, const SurfaceFeatures&) = default;
+    /// What either takes.
+    friend SurfaceFeatures operator|(const SurfaceFeatures& a, const SurfaceFeatures& b) {
+        return {a.glossy || b.glossy, a.mirror || b.mirror, a.textured || b.textured};
+    }
 };
 
 /// Perceptual roughness over the points of a material.

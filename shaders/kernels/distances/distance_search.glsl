@@ -33,6 +33,11 @@ vec3 ray_place(SearchRay ray, float t) {
     return ray.origin + t * ray.direction;
 }
 
+/// The direction from the capture point in which a ray's place lies; infinitely far along, that of the ray.
+vec3 seen_along(SearchRay ray, float t) {
+    return isinf(t) ? ray.direction : ray_place(ray, t);
+}
+
 /// Where a ray that moves away from the capture point is this far from it.
 float ray_at_distance(SearchRay ray, float distance) {
     return isinf(distance) ? INFINITY : -ray.along + sqrt(max(distance * distance - ray.across2, 0.0));

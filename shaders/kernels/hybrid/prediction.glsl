@@ -13,11 +13,6 @@ float angle_between(vec3 a, vec3 b) {
     return atan(length(across), dot(u, v));
 }
 
-/// The direction from the capture point in which a ray's place lies; infinitely far along, that of the ray.
-vec3 seen_along(SearchRay ray, float t) {
-    return isinf(t) ? ray.direction : ray_place(ray, t);
-}
-
 /// What a pixel sees of a mirror, for turning angles at the capture point into pixels.
 struct Footprint {
     float eye_distance;  ///< from the eye to the mirror

@@ -15,9 +15,8 @@ void main() {
     if (is_mirror(surface)) {
         found = DRAWN_LOOKED_UP;
         ProbeHit hit = search_probes(drawn_ids.w, surface.position, mirror_direction(surface, wo));
-        vec3 direction = isinf(hit.interval.guess) ? hit.ray.direction : ray_place(hit.ray, hit.interval.guess);
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
-                    map_radiance(hit.probe, direction);
+                    map_radiance(hit.probe, seen_along(hit.ray, hit.interval.guess));
     }
     drawn = vec4(radiance, found);
 }

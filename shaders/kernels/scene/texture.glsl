@@ -5,15 +5,20 @@
 
 #include "kernels/scene/scene_bindings.glsl"
 
-/// Texel index for any integer, by the wrap modes of scene/texture.h.
+/// The remainder of a division that rounds down. Vulkan lets a quotient be off by 2.5 units in the last place, which may
+/// take it past an integer: hence the bounds.
+int remainder_of(int i, int size) {
+    return clamp(i - size * int(floor(float(i) / float(size))), 0, size - 1);
+}
+
+/// Texel index for any integer, by a wrap mode.
 int wrap_texel(int i, int size, uint mode) {
-    if (mode == 1u) return clamp(i, 0, size - 1);
-    if (mode == 2u) {
-        int period = 2 * size;
-        int j = i - period * int(floor(float(i) / float(period)));
-        return j < size ? j : period - 1 - j;
+    if (mode == TEXTURE_CLAMP_TO_EDGE) return clamp(i, 0, size - 1);
+    if (mode == TEXTURE_MIRRORED_REPEAT) {
+        int j = remainder_of(i, 2 * size);
+        return j < size ? j : 2 * size - 1 - j;
     }
-    return i - size * int(floor(float(i) / float(size)));
+    return remainder_of(i, size);
 }
 
 /// IEC 61966-2-1. The power 2.4 of u is u^2 (u^(1/4))^1.6, the latter by a polynomial with a relative error of 3e-7 over
@@ -27,8 +32,8 @@ vec3 srgb_to_linear(vec3 c) {
 }
 
 vec3 fetch_texel(TextureSlotInfo slot, ivec2 position, bool srgb) {
-    int x = wrap_texel(position.x, int(slot.width), slot.sampling & 3u);
-    int y = wrap_texel(position.y, int(slot.height), (slot.sampling >> 2) & 3u);
+    int x = wrap_texel(position.x, int(slot.width), slot.sampling & TEXTURE_WRAP_MASK);
+    int y = wrap_texel(position.y, int(slot.height), (slot.sampling >> TEXTURE_WRAP_BITS) & TEXTURE_WRAP_MASK);
     vec3 value = unpackUnorm4x8(texels[slot.first_texel + uint(y) * slot.width + uint(x)]).rgb;
     return srgb ? srgb_to_linear(value) : value;
 }
@@ -37,7 +42,7 @@ vec3 fetch_texel(TextureSlotInfo slot, ivec2 position, bool srgb) {
 vec3 sample_texture(TextureSlotInfo slot, vec2 texcoord, bool srgb) {
     // Beyond this range float32 cannot tell texels apart anyway; it keeps the integer conversion defined.
     vec2 position = clamp(texcoord * vec2(slot.width, slot.height), vec2(-16777216.0), vec2(16777216.0));
-    if ((slot.sampling & 16u) == 0u) {
+    if ((slot.sampling & TEXTURE_LINEAR) == 0u) {
         return fetch_texel(slot, ivec2(floor(position)), srgb);
     }
     vec2 corner = floor(position - 0.5);

@@ -17,4 +17,10 @@ Specialization scene_constants(const SceneData& data) {
             {interop::SPEC_LIGHT_COUNT, static_cast<std::uint32_t>(data.lights.size())}};
 }
 
+Specialization with_features(Specialization specialization, const SurfaceFeatures& features) {
+    specialization[interop::SPEC_HAS_TEXTURES] = features.textured ? 1 : 0;
+    specialization[interop::SPEC_HAS_GLOSSY] = features.glossy ? 1 : 0;
+    return specialization;
+}
+
 }  // namespace utsuri

@@ -10,4 +10,7 @@ namespace utsuri {
 /// Values of the kernels' constants that follow from a scene.
 Specialization scene_constants(const SceneData& data);
 
+/// The same for what shades only surfaces that take no more than these features.
+Specialization with_features(Specialization specialization, const SurfaceFeatures& features);
+
 }  // namespace utsuri

@@ -13,6 +13,9 @@
 namespace utsuri {
 namespace {
 
+static_assert(static_cast<std::uint32_t>(TextureWrap::clamp_to_edge) == interop::TEXTURE_CLAMP_TO_EDGE);
+static_assert(static_cast<std::uint32_t>(TextureWrap::mirrored_repeat) == interop::TEXTURE_MIRRORED_REPEAT);
+
 // A word of RGBA8 with red in its lowest byte is then what a texture's bytes are.
 static_assert(std::endian::native == std::endian::little);
 
@@ -70,8 +73,8 @@ interop::TextureSlotInfo TextureTable::slot(const TextureSlot& slot) const {
     const std::uint32_t index = indices_[static_cast<std::size_t>(slot.texture)];
     const TextureHeader& header = headers_[index];
     const std::uint32_t sampling = static_cast<std::uint32_t>(slot.wrap_s) |
-                                   (static_cast<std::uint32_t>(slot.wrap_t) << 2) |
-                                   (static_cast<std::uint32_t>(slot.filter) << 4);
+                                   (static_cast<std::uint32_t>(slot.wrap_t) << interop::TEXTURE_WRAP_BITS) |
+                                   (slot.filter == TextureFilter::linear ? interop::TEXTURE_LINEAR : 0);
     return {index, sampling, header.first_texel, header.width, header.height};
 }
 

@@ -5,7 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "interop/workgroup.h"
 #include "probes.h"
-#include "lib/frame.glsl"
+#include "lib/basis.glsl"
 #include "lib/numeric.glsl"
 #include "lib/trigonometry.glsl"
 

@@ -2,6 +2,7 @@
 #include "renderers/reflection/planar/mirrored_view_drawer.h"
 
 #include "renderers/film/frame_camera.h"
+#include "renderers/scene/scene_constants.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
@@ -23,12 +24,6 @@
 
 namespace utsuri {
 namespace {
-
-Specialization with_features(Specialization specialization, const SurfaceFeatures& features) {
-    specialization[interop::SPEC_HAS_TEXTURES] = features.textured ? 1 : 0;
-    specialization[interop::SPEC_HAS_GLOSSY] = features.glossy ? 1 : 0;
-    return specialization;
-}
 
 /// Of what may be reflected: rays meet surfaces of all kinds.
 Specialization reflecting(const Specialization& specialization, const SurfaceFeatures& features,

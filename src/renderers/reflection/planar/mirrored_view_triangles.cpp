@@ -2,6 +2,7 @@
 #include "renderers/reflection/planar/mirrored_view_triangles.h"
 
 namespace utsuri {
+
 MirroredViewTriangles list_mirrored_view_triangles(const SceneData& scene, const PlaneMirrors& mirrors,
                                                    const Reflectors& curved) {
     DrawList matte = plan_draws(scene);
@@ -11,12 +12,8 @@ MirroredViewTriangles list_mirrored_view_triangles(const SceneData& scene, const
     const auto append = [&](const std::vector<std::uint32_t>& triangles, SurfaceFeatures& needed) {
         const TriangleRange range{static_cast<std::uint32_t>(result.listed.size()),
                                   static_cast<std::uint32_t>(triangles.size())};
-        for (const std::uint32_t triangle : triangles) {
-            const SurfaceFeatures& features =
-                scene.requirements.surfaces[scene.triangle_infos[triangle].material];
-            needed.glossy = needed.glossy || features.glossy;
-            needed.textured = needed.textured || features.textured;
-        }
+        for (const std::uint32_t triangle : triangles)
+            needed = needed | scene.requirements.surfaces[scene.triangle_infos[triangle].material];
         result.listed.insert(result.listed.end(), triangles.begin(), triangles.end());
         return range;
     };

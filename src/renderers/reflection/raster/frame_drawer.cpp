@@ -2,6 +2,7 @@
 #include "renderers/reflection/raster/frame_drawer.h"
 
 #include "renderers/reflection/raster/drawn_samples.h"
+#include "renderers/scene/scene_constants.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
@@ -40,11 +41,9 @@ std::vector<FrameDrawer::Batch> FrameDrawer::make_batches(const std::vector<Draw
                                                           const Bindings& bindings) {
     std::vector<Batch> batches;
     for (const DrawBatch& batch : planned) {
-        Specialization constants = specialization;
-        constants[interop::SPEC_HAS_TEXTURES] = batch.features.textured ? 1 : 0;
-        constants[interop::SPEC_HAS_GLOSSY] = batch.features.glossy ? 1 : 0;
         RasterPipeline pipeline(device_, "draw_scene", kernels::draw_scene_vert, kernels::draw_scene_frag,
-                                constants, sizeof(interop::ViewPush), DepthState{DepthTest::equal, 0.0f});
+                                with_features(specialization, batch.features), sizeof(interop::ViewPush),
+                                DepthState{DepthTest::equal, 0.0f});
         BindingSet set = pipeline.bind(with_draw_list(bindings));
         batches.push_back({std::move(pipeline), std::move(set), batch.first, batch.count});
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/raster/reflector_drawer.h"
 
+#include "renderers/scene/scene_constants.h"
+
 #include "base/check.h"
 
 #include "interop/bindings.h"
@@ -39,12 +41,8 @@ constexpr float kBehindPieces = 16.0f;
 /// What any of the reflectors needs.
 SurfaceFeatures features_of(const SceneData& data, const Reflectors& reflectors) {
     SurfaceFeatures all;
-    for (const interop::ReflectorTriangle& triangle : reflectors.triangles) {
-        const SurfaceFeatures& features =
-            data.requirements.surfaces[data.triangle_infos[triangle.triangle].material];
-        all.glossy = all.glossy || features.glossy;
-        all.textured = all.textured || features.textured;
-    }
+    for (const interop::ReflectorTriangle& triangle : reflectors.triangles)
+        all = all | data.requirements.surfaces[data.triangle_infos[triangle.triangle].material];
     return all;
 }
 
@@ -71,8 +69,7 @@ DepthState whole_depth(MapKind kind) {
 
 Specialization add_constants(Specialization specialization, const SurfaceFeatures& features,
                              std::uint32_t map_kind, std::size_t faces) {
-    specialization[interop::SPEC_HAS_TEXTURES] = features.textured ? 1 : 0;
-    specialization[interop::SPEC_HAS_GLOSSY] = features.glossy ? 1 : 0;
+    specialization = with_features(std::move(specialization), features);
     specialization[interop::SPEC_MAP_KIND] = map_kind;
     specialization[interop::SPEC_FACE_COUNT] = static_cast<std::uint32_t>(faces);
     return specialization;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#ifndef UTSURI_LIB_FRAME
-#define UTSURI_LIB_FRAME
+#ifndef UTSURI_LIB_BASIS
+#define UTSURI_LIB_BASIS
 
 /// Two unit vectors that make a right-handed basis with the unit vector n (Duff et al. 2017).
 void make_basis(vec3 n, out vec3 tangent, out vec3 bitangent) {
