@@ -14,7 +14,7 @@ RayTracer::RayTracer(const RendererInput& input, const RenderSettings& settings)
     : device_(input.device),
       data_(input.data),
       scene_(input.scene),
-      light_(input.light),
+      light_method_(input.light),
       kept_light_(settings.kept_light ? input.kept_light.get() : nullptr),
       settings_(settings),
       frame_{{}, settings.seed, std::min(settings.max_depth, input.scene.max_depth()), interop::NONE},
@@ -25,7 +25,7 @@ RayTracer::RayTracer(const RendererInput& input, const RenderSettings& settings)
 FilmKernel RayTracer::make_kernel() const {
     Bindings bindings = scene_.bindings();
     if (kept_light_ == nullptr) {
-        return FilmKernel(device_, std::string(light_.kernel_name), light_.kernel, scene_.specialization(),
+        return FilmKernel(device_, std::string(light_method_.kernel_name), light_method_.kernel, scene_.specialization(),
                           std::move(bindings));
     }
     bindings.merge(kept_light_->bindings());

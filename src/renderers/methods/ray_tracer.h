@@ -29,7 +29,7 @@ class RayTracer : public Renderer {
     Device& device_;
     const SceneData& data_;
     const GpuScene& scene_;
-    const LightMethod& light_;
+    const LightMethod& light_method_;
     std::shared_ptr<SurfaceLight> kept_light_;  ///< with RenderSettings::kept_light
     RenderSettings settings_;
     FrameSettings frame_;
