@@ -60,25 +60,25 @@ TEST_F(RadianceBoundsOf, FacesThatAChangeCannotReachStay) {
     GpuScene gpu_scene(device(), data);
     KeptLight light = kept_light(device(), data, gpu_scene, kCoarse);
     Progress silent;
-    light.get().fill(silent);
+    light.get()->fill(silent);
     Measured before(device(), data, glm::vec3(-data.origin));
-    before.capture(gpu_scene, light.get());
+    before.capture(gpu_scene, *light.get());
 
     glm::dmat4& place = scene.instances[2].world_from_object;
     place = glm::translate(glm::dmat4(1.0), {0.0, 0.25, 0.0}) * place;
     const SceneChange change = update_scene_data(data, scene);
     gpu_scene.update(data);
     light.update(change, silent);
-    const SeenChanges changes(data, change, light.get().changed());
+    const SeenChanges changes(data, change, light.get()->changed());
     Measured after(device(), data, glm::vec3(-data.origin));
     after.distances.reuse_from(before.distances);
     after.bounds.reuse_from(before.bounds);
     after.distances.forget(changes);
     after.bounds.forget(changes);
-    after.capture(gpu_scene, light.get());
+    after.capture(gpu_scene, *light.get());
 
     Measured anew(device(), data, glm::vec3(-data.origin));
-    anew.capture(gpu_scene, light.get());
+    anew.capture(gpu_scene, *light.get());
     for (std::uint32_t face = 0; face < interop::DISTANCE_FACES; ++face) {
         for (std::uint32_t level = 0; level < bound_levels(kSize); ++level)
             EXPECT_EQ(after.bounds.blocks(0, face, level), anew.bounds.blocks(0, face, level))
@@ -99,9 +99,9 @@ TEST_F(RadianceBoundsOf, FramesOfPlaneMirrorsCount) {
     const GpuScene gpu_scene(device(), data);
     KeptLight light = kept_light(device(), data, gpu_scene, kCoarse);
     Progress silent;
-    light.get().fill(silent);
+    light.get()->fill(silent);
     Measured measured(device(), data, glm::vec3(-data.origin));
-    measured.capture(gpu_scene, light.get());
+    measured.capture(gpu_scene, *light.get());
     const auto samples = measured.distances.samples(0, kTowardsPlusX);
     const auto blocks = measured.bounds.blocks(0, kTowardsPlusX, 0);
     constexpr std::uint32_t kStride = kSize + 2 * interop::DISTANCE_BORDER;
