@@ -25,8 +25,8 @@ RayTracer::RayTracer(const RendererInput& input, const RenderSettings& settings)
 FilmKernel RayTracer::make_kernel() const {
     Bindings bindings = scene_.bindings();
     if (kept_light_ == nullptr) {
-        return FilmKernel(device_, std::string(light_method_.kernel_name), light_method_.kernel, scene_.specialization(),
-                          std::move(bindings));
+        return FilmKernel(device_, std::string(light_method_.kernel_name), light_method_.kernel,
+                          scene_.specialization(), std::move(bindings));
     }
     bindings.merge(kept_light_->bindings());
     return FilmKernel(device_, "trace_kept", kernels::trace_kept, scene_.specialization(),
