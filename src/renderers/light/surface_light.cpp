@@ -9,7 +9,8 @@ namespace utsuri {
 
 SurfaceLight::SurfaceLight(Device& device, bool under_glossy)
     : lobe_albedos_(make_buffer<interop::LobeAlbedo>(
-          device, under_glossy ? lobe_albedo_table() : std::vector<interop::LobeAlbedo>(), "albedos of lobes")) {}
+          device, under_glossy ? lobe_albedo_table() : std::vector<interop::LobeAlbedo>(),
+          "albedos of lobes")) {}
 
 Bindings SurfaceLight::bindings() const {
     Bindings bindings = kept_bindings();
