@@ -91,7 +91,7 @@ TEST_F(RadianceBoundsOf, FacesThatAChangeCannotReachStay) {
 // the mirror.
 TEST_F(RadianceBoundsOf, FramesOfPlaneMirrorsCount) {
     Scene scene;
-    constexpr float kHigh = 1e-3f;
+    constexpr float kHigh = 2e-3f;  // metres: of a texel, which is 3 cm wide there, a fifteenth
     add(scene, quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), mirror());
     add(scene, quad({1.001f, -1, 0}, {0, 0, kHigh}, {0, 2, 0}), emitter(kBright));
     add(scene, room({-3, -3, -2}, {3, 3, 4}), emitter(kDim));
