@@ -11,6 +11,8 @@ SUBCOMMANDS = ("compare", "render", "trade", "info", "diff", "devices")
 
 
 class BadOptions(CliCase):
+    """How refusals are asked for; the tests are in classes of their own, each an entry of ctest."""
+
     def setUp(self):
         super().setUp()
         (self.scratch / "scene.glb").write_bytes(gltf_scene.glb_bytes(*gltf_scene.mesh_document()))
@@ -28,22 +30,8 @@ class BadOptions(CliCase):
             told = [given if word == option else word for word in words]
             self.refuse((values[0], *told), name, "scene.glb", "-o", "folder", given, values[0])
 
-    def test_no_or_unknown_subcommand(self):
-        self.refuse(("subcommand is required",))
-        self.refuse(("'paint'", *SUBCOMMANDS), "paint")
 
-    def test_unknown_option(self):
-        for name in SUBCOMMANDS:
-            arguments = {"diff": ("scene.glb", "scene.glb"), "devices": ()}.get(name, ("scene.glb",))
-            needed = ("-o", "picture.exr") if name == "render" else ()
-            self.refuse(("--sharpness", "--help"), name, *arguments, *needed, "--sharpness")
-
-    def test_missing_arguments(self):
-        for name in ("compare", "render", "trade", "info"):
-            self.refuse(("scene is required",), name)
-        self.refuse(("test is required",), "diff", "a.png")
-        self.refuse(("--output is required",), "render", "scene.glb")
-
+class BadNumbers(BadOptions):
     def test_sizes(self):
         sizes = ("0x0", "100000x100000", "64", "64x", "x48", "-64x48", "64x48x2", "64X48", "6.5x4", "16385x1",
                  "")
@@ -89,6 +77,18 @@ class BadOptions(CliCase):
                         "render", "scene.glb", "-o", "picture.exr", f"--tolerance={value}")
         self.refuse_picture_option("--tolerance", ("5px", "1e7"), "--tolerance", "0 to 1e+06", "0.01% to 100%")
 
+    def test_times(self):
+        for value in ("0s", "-1s", "nan", "inf", "1h", "soon", "1 s", "1e999s"):
+            self.refuse((f"'{value}'", "positive time such as 33ms"),
+                        "render", "scene.glb", "-o", "picture.exr", "--time", value)
+            self.refuse((f"'{value}'", "positive time such as 33ms"), "trade", "scene.glb", "--within", value)
+
+    def test_points(self):
+        points = ("1,2", "1,2,3,4", "1,2,x", "1;2;3", "0,nan,0", "0,0,inf")
+        self.refuse_picture_option("--capture-point", points, "X,Y,Z in metres")
+
+
+class BadRanges(BadOptions):
     def test_every_number_has_a_range_and_tells_it(self):
         """Found in the help, so that no option is forgotten."""
         arguments = {"render": ("scene.glb", "-o", "picture.exr"), "compare": ("scene.glb", "-o", "folder"),
@@ -111,15 +111,23 @@ class BadOptions(CliCase):
         self.assertGreaterEqual(found, {("render", "--spp"), ("render", "--noise"), ("compare", "--map-spp"),
                                         ("compare", "--fail-above"), ("diff", "--exposure")})
 
-    def test_times(self):
-        for value in ("0s", "-1s", "nan", "inf", "1h", "soon", "1 s", "1e999s"):
-            self.refuse((f"'{value}'", "positive time such as 33ms"),
-                        "render", "scene.glb", "-o", "picture.exr", "--time", value)
-            self.refuse((f"'{value}'", "positive time such as 33ms"), "trade", "scene.glb", "--within", value)
 
-    def test_points(self):
-        points = ("1,2", "1,2,3,4", "1,2,x", "1;2;3", "0,nan,0", "0,0,inf")
-        self.refuse_picture_option("--capture-point", points, "X,Y,Z in metres")
+class BadWords(BadOptions):
+    def test_no_or_unknown_subcommand(self):
+        self.refuse(("subcommand is required",))
+        self.refuse(("'paint'", *SUBCOMMANDS), "paint")
+
+    def test_unknown_option(self):
+        for name in SUBCOMMANDS:
+            arguments = {"diff": ("scene.glb", "scene.glb"), "devices": ()}.get(name, ("scene.glb",))
+            needed = ("-o", "picture.exr") if name == "render" else ()
+            self.refuse(("--sharpness", "--help"), name, *arguments, *needed, "--sharpness")
+
+    def test_missing_arguments(self):
+        for name in ("compare", "render", "trade", "info"):
+            self.refuse(("scene is required",), name)
+        self.refuse(("test is required",), "diff", "a.png")
+        self.refuse(("--output is required",), "render", "scene.glb")
 
     def test_names(self):
         self.refuse_picture_option("--light", ("candle",), "'candle'", "direct")

@@ -31,6 +31,8 @@ class Render(CliCase):
         self.render(output, *options)
         return (self.scratch / output).read_bytes()
 
+
+class RenderFiles(Render):
     def test_exr(self):
         values = self.render("picture.exr", "--spp", "3")
         width, height, channels, texts = picture_file.read_exr_header(self.scratch / "picture.exr")
@@ -53,31 +55,6 @@ class Render(CliCase):
         self.render("picture.exr", "--aov", "depth")
         _, _, channels, _ = picture_file.read_exr_header(self.scratch / "picture.exr")
         self.assertEqual(sorted(channels), ["B", "G", "R", "depth.Z"])
-
-    def test_errors_of_reflections(self):
-        names = ["predicted.parallax", "predicted.interpolation", "predicted.texel", "predicted.pixels",
-                 "measured.angle", "measured.pixels", "measured.distance", "measured.seen"]
-        self.json_of("render", self.scene("spheres"), "-o", "picture.exr", *SMALL, "--reflection", "proxy-map", *MAPS,
-                     "--aov", "predicted,measured")
-        _, _, channels, _ = picture_file.read_exr_header(self.scratch / "picture.exr")
-        self.assertEqual(sorted(channels), sorted(["R", "G", "B", *names]))
-
-    def test_traced_pixels(self):
-        self.json_of("render", self.scene("spheres"), "-o", "picture.exr", *SMALL, "--reflection", "hybrid", *MAPS,
-                     "--aov", "traced")
-        _, _, channels, _ = picture_file.read_exr_header(self.scratch / "picture.exr")
-        self.assertEqual(sorted(channels), ["B", "G", "R", "traced.I"])
-        for reflection in ("trace", "proxy-map"):
-            self.fail_with(USAGE, (f"direct/{reflection}", "--reflection hybrid"), "render", self.scene("cornell"),
-                           "-o", "none.exr", *SMALL, *MAPS, "--reflection", reflection, "--aov", "traced")
-
-    def test_given_proxy(self):
-        (self.scratch / "proxy.txt").write_text("1 0 0 9\n-1 0 0 9\n0 1 0 9\n0 -1 0 9\n0 0 1 9\n1 0 -1 9\n",
-                                                encoding="utf-8")
-        arguments = ("render", self.scene("office"), *SMALL, *MAPS, "--spp", "2", "--reflection", "proxy-map")
-        self.json_of(*arguments, "-o", "fitted.exr")
-        self.json_of(*arguments, "-o", "given.exr", "--proxy", "proxy.txt")
-        self.assertGreater(self.json_of("diff", "fitted.exr", "given.exr")["metrics"]["max"], 0.0)
 
     def test_png(self):
         self.render("picture.png")
@@ -103,20 +80,38 @@ class Render(CliCase):
         for name in ("frame_seconds", "gpu_seconds", "first_frame_seconds", "peak_bytes", "noise"):
             self.assertGreater(values[name], 0, name)
 
+    def test_json_file(self):
+        done = self.succeed("render", self.scene("cornell"), "-o", "picture.exr", *SMALL,
+                            "--json", "result.json")
+        self.assertIn("picture.exr", done.stdout)
+        self.assertEqual(self.load("result.json")["samples"], 16)
+        self.assert_no_partial_files()
+
+    def test_quiet(self):
+        arguments = ("render", self.scene("cornell"), "-o", "picture.exr", *SMALL)
+        quiet = self.succeed(*arguments, "--quiet")
+        self.assertEqual((quiet.stdout, quiet.stderr), ("", ""))
+        loud = self.succeed(*arguments)
+        self.assertIn("picture.exr: 16 samples", loud.stdout)
+
+    def test_cameras(self):
+        by_index, by_name = (self.bytes_of("picture.exr", "--camera", camera) for camera in ("0", "camera"))
+        self.assertEqual(by_index, by_name)
+        self.assertEqual(by_index, self.bytes_of("picture.exr"))
+
+    def test_writes_over_an_older_picture(self):
+        (self.scratch / "picture.png").write_bytes(b"old")
+        self.render("picture.png")
+        picture_file.read_png(self.scratch / "picture.png")
+        self.assertEqual(self.files(), ["picture.png"])
+
+
+class RenderSamples(Render):
     def test_seeds(self):
         for name in ("picture.exr", "picture.png"):
             first = self.bytes_of(name, "--seed", "3")
             self.assertEqual(self.bytes_of(name, "--seed", "3"), first)
             self.assertNotEqual(self.bytes_of(name, "--seed", "4"), first)
-
-    def test_maps_with_the_same_seed(self):
-        for reflection in ("polygon-map", "sphere-map", "cube-map", "proxy-map", "distance-map", "planar", "hybrid"):
-            arguments = ("render", self.scene("spheres"), *SMALL, *MAPS, "--spp", "2",
-                         "--reflection", reflection)
-            for name in ("first.exr", "second.exr"):
-                self.assertEqual(self.json_of(*arguments, "-o", name)["reflection"], reflection)
-            first, second = ((self.scratch / name).read_bytes() for name in ("first.exr", "second.exr"))
-            self.assertEqual(first, second)
 
     def test_default_samples(self):
         self.assertEqual(self.render("picture.exr")["samples"], 16)
@@ -144,30 +139,41 @@ class Render(CliCase):
         self.assertIsNone(self.render("picture.exr", "--spp", "3")["noise"])
         self.assertTrue(math.isfinite(self.render("picture.exr", "--spp", "2")["noise"]))
 
-    def test_quiet(self):
-        arguments = ("render", self.scene("cornell"), "-o", "picture.exr", *SMALL)
-        quiet = self.succeed(*arguments, "--quiet")
-        self.assertEqual((quiet.stdout, quiet.stderr), ("", ""))
-        loud = self.succeed(*arguments)
-        self.assertIn("picture.exr: 16 samples", loud.stdout)
 
-    def test_json_file(self):
-        done = self.succeed("render", self.scene("cornell"), "-o", "picture.exr", *SMALL,
-                            "--json", "result.json")
-        self.assertIn("picture.exr", done.stdout)
-        self.assertEqual(self.load("result.json")["samples"], 16)
-        self.assert_no_partial_files()
+class RenderMaps(Render):
+    def test_errors_of_reflections(self):
+        names = ["predicted.parallax", "predicted.interpolation", "predicted.texel", "predicted.pixels",
+                 "measured.angle", "measured.pixels", "measured.distance", "measured.seen"]
+        self.json_of("render", self.scene("spheres"), "-o", "picture.exr", *SMALL, "--reflection", "proxy-map", *MAPS,
+                     "--aov", "predicted,measured")
+        _, _, channels, _ = picture_file.read_exr_header(self.scratch / "picture.exr")
+        self.assertEqual(sorted(channels), sorted(["R", "G", "B", *names]))
 
-    def test_cameras(self):
-        by_index, by_name = (self.bytes_of("picture.exr", "--camera", camera) for camera in ("0", "camera"))
-        self.assertEqual(by_index, by_name)
-        self.assertEqual(by_index, self.bytes_of("picture.exr"))
+    def test_traced_pixels(self):
+        self.json_of("render", self.scene("spheres"), "-o", "picture.exr", *SMALL, "--reflection", "hybrid", *MAPS,
+                     "--aov", "traced")
+        _, _, channels, _ = picture_file.read_exr_header(self.scratch / "picture.exr")
+        self.assertEqual(sorted(channels), ["B", "G", "R", "traced.I"])
+        for reflection in ("trace", "proxy-map"):
+            self.fail_with(USAGE, (f"direct/{reflection}", "--reflection hybrid"), "render", self.scene("cornell"),
+                           "-o", "none.exr", *SMALL, *MAPS, "--reflection", reflection, "--aov", "traced")
 
-    def test_writes_over_an_older_picture(self):
-        (self.scratch / "picture.png").write_bytes(b"old")
-        self.render("picture.png")
-        picture_file.read_png(self.scratch / "picture.png")
-        self.assertEqual(self.files(), ["picture.png"])
+    def test_given_proxy(self):
+        (self.scratch / "proxy.txt").write_text("1 0 0 9\n-1 0 0 9\n0 1 0 9\n0 -1 0 9\n0 0 1 9\n1 0 -1 9\n",
+                                                encoding="utf-8")
+        arguments = ("render", self.scene("office"), *SMALL, *MAPS, "--spp", "2", "--reflection", "proxy-map")
+        self.json_of(*arguments, "-o", "fitted.exr")
+        self.json_of(*arguments, "-o", "given.exr", "--proxy", "proxy.txt")
+        self.assertGreater(self.json_of("diff", "fitted.exr", "given.exr")["metrics"]["max"], 0.0)
+
+    def test_maps_with_the_same_seed(self):
+        for reflection in ("polygon-map", "sphere-map", "cube-map", "proxy-map", "distance-map", "planar", "hybrid"):
+            arguments = ("render", self.scene("spheres"), *SMALL, *MAPS, "--spp", "2",
+                         "--reflection", reflection)
+            for name in ("first.exr", "second.exr"):
+                self.assertEqual(self.json_of(*arguments, "-o", name)["reflection"], reflection)
+            first, second = ((self.scratch / name).read_bytes() for name in ("first.exr", "second.exr"))
+            self.assertEqual(first, second)
 
 
 if __name__ == "__main__":
