@@ -77,6 +77,38 @@ void for_each_point(const Filled& filled, Visit&& visit) {
 
 class LightCacheOnSurfaces : public DeviceTest {};
 
+/// Counts dispatches: each is told of.
+class CountingProgress : public Progress {
+  public:
+    void update(double /*done*/, double /*total*/) override { ++dispatches_; }
+    [[nodiscard]] double dispatches() const { return dispatches_; }
+
+  private:
+    double dispatches_ = 0.0;
+};
+
+// A floor in the sun takes few rays, and its other side none: dispatches grow to what such points cost. They
+// start at 64 points and grow eightfold until one takes 0.1 s; where a machine is slow, one that is not grown
+// takes at least an eighth of that.
+TEST_F(LightCacheOnSurfaces, PointsThatTakeFewRaysAreSimulatedTogether) {
+    Scene scene;
+    add(scene, ground(1.0f), lambert(glm::vec3(0.5f)));
+    Light sun;
+    sun.type = LightType::directional;
+    sun.direction = {0, -1, 0};
+    sun.intensity = glm::vec3(1.0f);
+    scene.lights.push_back(sun);
+    const SceneData data = prepare_scene_data(scene);
+    const GpuScene gpu_scene(device(), data);
+    LightCache cache(device(), data, gpu_scene, LightSettings());
+    CountingProgress progress;
+    cache.fill(progress);
+    const auto points = static_cast<double>(cache.points().size());
+    EXPECT_GT(points, 10000.0);
+    const double growing = 1.0 + std::log(points / 64.0) / std::log(8.0);
+    EXPECT_LE(progress.dispatches(), std::ceil(growing) + cache.cost().counts.gpu_seconds / (0.1 / 8.0));
+}
+
 // One light, no chance: E cos / pi on the side it shines on, nothing on the other.
 TEST_F(LightCacheOnSurfaces, SunOnAFloor) {
     Scene scene;

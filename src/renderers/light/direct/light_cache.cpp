@@ -23,6 +23,10 @@ namespace {
 constexpr std::uint64_t kSides = 2;
 constexpr std::uint64_t kMostPointsPerDispatch = std::uint64_t{kMaxGroups} * interop::WORKGROUP_SIZE;
 
+/// Seconds that a dispatch may take where its points, unlike those before, are in half shadow and take all
+/// their rays: half of what makes drivers reset a device.
+constexpr double kLongestDispatch = 1.0;
+
 /// Summing more lights than this at every point would cost more than sampling them.
 constexpr std::size_t kMostSummedLights = 64;
 
@@ -72,6 +76,14 @@ std::vector<std::uint32_t> changed_triangles(const Kept& before, const Kept& aft
         if (!same_light(before, after, t)) changed.push_back(t);
     }
     return changed;
+}
+
+/// How many points may be simulated in some seconds, each with all its rays, if rays take as long as those
+/// counted.
+double points_within(double seconds, const FrameCounts& counted, std::uint32_t samples) {
+    const double rays = seconds * static_cast<double>(counted.rays) / std::max(counted.gpu_seconds, 1e-9);
+    return std::clamp(rays / static_cast<double>(kSides * samples), 1.0,
+                      static_cast<double>(kMostPointsPerDispatch));
 }
 
 std::uint64_t buffer_bytes(const std::vector<interop::LightCacheTriangle>& lattices) {
@@ -182,17 +194,20 @@ void LightCache::simulate(const std::vector<interop::ChangedBox>& changed, Progr
 
     const Stopwatch simulation;
     DispatchBudget budget;
+    double most_points = static_cast<double>(kMostPointsPerDispatch);
     for (std::uint64_t first = 0; first < count; first = push.end_point) {
         if (progress.cancelled()) throw Interrupted();
         const std::uint64_t fitting = std::clamp<std::uint64_t>(
-            std::min<std::uint64_t>(budget.next_units() / (kSides * settings_.samples),
-                                    settings_.points_per_dispatch),
-            1, kMostPointsPerDispatch);
+            std::min<std::uint64_t>(budget.next_units(), settings_.points_per_dispatch), 1,
+            static_cast<std::uint64_t>(most_points));
         push.first_point = static_cast<std::uint32_t>(first);
         push.end_point = static_cast<std::uint32_t>(std::min(count, first + fitting));
         const FrameCounts counts = simulate_points(kernel, set, push);
-        // Points that keep their light cost next to nothing; those after them may cost all their rays.
-        if (counts.rays > 0) budget.record(counts.rays, counts.gpu_seconds);
+        // Points that keep their light tell nothing about those after them.
+        if (counts.rays > 0) {
+            budget.record(push.end_point - push.first_point, counts.gpu_seconds);
+            most_points = points_within(kLongestDispatch, counts, settings_.samples);
+        }
         accumulate(cost_.counts, counts);
         progress.update(static_cast<double>(push.end_point), static_cast<double>(count));
     }
