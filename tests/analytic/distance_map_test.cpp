@@ -200,7 +200,7 @@ TEST_F(DistanceMap, DistancesAreThoseOfTheSceneAndBoundsHoldThem) {
     const MapSettings settings = map_settings(16, kWorkedCapturePoint);
     std::vector<interop::ProxyPlane> planes;
     const ReflectionMaps maps(device(), data, MapKind::distance, settings, MapView(), planes);
-    DistanceMaps distances(device(), data, maps.instances(), maps.infos(), 16);
+    DistanceMaps distances(device(), data, maps.probe_instances(), maps.infos(), 16);
     Progress progress;
     double seconds = 0.0;
     distances.capture(gpu_scene, seconds, progress);

@@ -10,9 +10,9 @@ void draw_hybrid_reflector() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
-    float found = DRAWN_PLAIN;
-    if (is_mirror(surface)) radiance += hybrid_light(surface, wo, 0u, found);
-    drawn = vec4(radiance, found);
+    float state = DRAWN_PLAIN;
+    if (is_mirror(surface)) radiance += hybrid_light(surface, wo, 0u, state);
+    drawn = vec4(radiance, state);
 }
 
 #endif

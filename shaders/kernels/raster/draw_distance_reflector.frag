@@ -11,12 +11,12 @@ void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
-    float found = DRAWN_PLAIN;
+    float state = DRAWN_PLAIN;
     if (is_mirror(surface)) {
-        found = DRAWN_LOOKED_UP;
+        state = DRAWN_LOOKED_UP;
         ProbeHit hit = search_probes(drawn_ids.w, surface.position, mirror_direction(surface, wo));
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
                     map_radiance(hit.probe, seen_along(hit.ray, hit.interval.guess));
     }
-    drawn = vec4(radiance, found);
+    drawn = vec4(radiance, state);
 }

@@ -10,11 +10,11 @@ void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface;
     vec3 radiance = drawn_light(wo, surface);
-    float found = DRAWN_PLAIN;
+    float state = DRAWN_PLAIN;
     if (is_mirror(surface)) {
-        found = DRAWN_LOOKED_UP;
+        state = DRAWN_LOOKED_UP;
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *
                     mapped_radiance(surface, mirror_direction(surface, wo));
     }
-    drawn = vec4(radiance, found);
+    drawn = vec4(radiance, state);
 }

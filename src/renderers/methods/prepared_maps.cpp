@@ -28,7 +28,7 @@ std::optional<DistanceMaps> make_distances(Device& device, const SceneData& data
                                            MapKind kind, const MapSettings& settings) {
     if (maps.infos().empty() || (!keeps_distances(kind) && !settings.predicts_errors)) return std::nullopt;
     return std::make_optional<DistanceMaps>(
-        device, data, maps.instances(), maps.infos(), distance_size(device, maps),
+        device, data, maps.probe_instances(), maps.infos(), distance_size(device, maps),
         bounds_radiance(kind, settings) ? Tolerance::Of::radiance : Tolerance::Of::place);
 }
 

@@ -209,8 +209,8 @@ void ReflectionMaps::reuse_from(ReflectionMaps& previous) {
         return;
     texels_ = std::move(previous.texels_);
     states_ = std::move(previous.states_);
-    const std::vector<std::uint32_t> now = instances();
-    const std::vector<std::uint32_t> then = previous.instances();
+    const std::vector<std::uint32_t> now = probe_instances();
+    const std::vector<std::uint32_t> then = previous.probe_instances();
     std::vector<std::uint32_t> moved;
     for (std::uint32_t probe = 0; probe < infos_.size(); ++probe) {
         if (infos_[probe].capture_point == previous.infos_[probe].capture_point && now[probe] == then[probe])
@@ -223,7 +223,7 @@ void ReflectionMaps::reuse_from(ReflectionMaps& previous) {
 
 void ReflectionMaps::forget(const SeenChanges& changes) {
     std::vector<std::uint32_t> changed;
-    const std::vector<std::uint32_t> owners = instances();
+    const std::vector<std::uint32_t> owners = probe_instances();
     for (std::uint32_t map = 0; map < map_count(); ++map) {
         // A sphere map sees all around.
         if (kind_ == MapKind::sphere ||
@@ -279,7 +279,7 @@ Specialization ReflectionMaps::specialise(Specialization others) const {
     return others;
 }
 
-std::vector<std::uint32_t> ReflectionMaps::instances() const {
+std::vector<std::uint32_t> ReflectionMaps::probe_instances() const {
     std::vector<std::uint32_t> result;
     for (const Probe& probe : probes_)
         result.push_back(reflectors_.instances[probe.reflector]);

@@ -71,7 +71,7 @@ class ReflectionMaps {
     [[nodiscard]] const std::vector<interop::ProbeInfo>& infos() const { return infos_; }
     [[nodiscard]] const std::vector<Probe>& probes() const { return probes_; }
     /// The instance that each probe belongs to.
-    [[nodiscard]] std::vector<std::uint32_t> instances() const;
+    [[nodiscard]] std::vector<std::uint32_t> probe_instances() const;
     [[nodiscard]] Bindings bindings() const;
     /// What stages that look the maps up are told about them, added to others.
     [[nodiscard]] Specialization specialise(Specialization others) const;
