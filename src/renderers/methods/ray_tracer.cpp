@@ -19,7 +19,7 @@ RayTracer::RayTracer(const RendererInput& input, const RenderSettings& settings)
       settings_(settings),
       frame_{{}, settings.seed, std::min(settings.max_depth, input.scene.max_depth()), interop::NONE},
       kernel_(make_kernel()) {
-    set_camera(input.camera);
+    RayTracer::set_camera(input.camera);
 }
 
 FilmKernel RayTracer::make_kernel() const {
