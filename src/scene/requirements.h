@@ -17,6 +17,8 @@ struct SurfaceFeatures {
     bool mirror = false;  ///< some point reflects like a perfect mirror
     bool textured = false;
 
+    // clang-tidy 14 takes the 0 that such a comparison is held against for a null pointer.
+    // NOLINTNEXTLINE(modernize-use-nullptr)
     friend auto operator<=>(const SurfaceFeatures&, const SurfaceFeatures&) = default;
     /// What either takes.
     friend SurfaceFeatures operator|(const SurfaceFeatures& a, const SurfaceFeatures& b) {

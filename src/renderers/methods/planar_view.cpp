@@ -141,8 +141,9 @@ std::vector<MeasuredError> PlanarView::measure_errors() {
     const interop::CameraInfo camera = camera_info();
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (!shows_plane_mirror(pixels[i].w)) continue;
-        const glm::vec2 centre(static_cast<float>(i % settings_.width) + 0.5f,
-                               static_cast<float>(i / settings_.width) + 0.5f);
+        const std::size_t column = i % settings_.width;
+        const std::size_t row = i / settings_.width;
+        const glm::vec2 centre(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f);
         const glm::vec2 size(settings_.width, settings_.height);
         errors[i].distance =
             mirrored_distance(data_, camera, glm::vec2(2, -2) * centre / size + glm::vec2(-1, 1));
