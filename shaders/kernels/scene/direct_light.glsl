@@ -36,10 +36,10 @@ struct Candidate {
 Candidate make_candidate(Surface surface, vec3 wo, uint lobes, float choice, vec2 u) {
     LightSample s = sample_light(choose_light(receiver_of(surface), choice), surface, u);
     if (!is_above(surface, s.direction)) return Candidate(s, vec3(0.0));
-    vec3 bsdf = (lobes & (1u << LOBE_DIFFUSE)) != 0u ? lobe_value(surface, LOBE_DIFFUSE, wo, s.direction) : vec3(0.0);
+    vec3 bsdf = (lobes & (1u << LOBE_DIFFUSE)) != 0u ? diffuse_value(surface, wo, s.direction) : vec3(0.0);
     if ((lobes & (1u << LOBE_GLOSSY)) != 0u && has_lobe(surface, LOBE_GLOSSY)) {
-        float weight = s.pdf > 0.0 ? s.pdf / (s.pdf + lobe_pdf(surface, LOBE_GLOSSY, wo, s.direction)) : 1.0;
-        bsdf += weight * lobe_value(surface, LOBE_GLOSSY, wo, s.direction);
+        float weight = s.pdf > 0.0 ? s.pdf / (s.pdf + glossy_pdf(surface, wo, s.direction)) : 1.0;
+        bsdf += weight * glossy_value(surface, wo, s.direction);
     }
     return Candidate(s, bsdf * s.irradiance * dot(surface.ns, s.direction));
 }

@@ -37,7 +37,11 @@ vec3 follow_chain(Ray ray, uint first_depth, uint max_depth, uint key, uint inde
         by_lobe = has_lobe(surface, LOBE_GLOSSY);
         if (!by_lobe && !has_lobe(surface, LOBE_MIRROR)) break;
         vec2 u = by_lobe ? sample_2d(key, index, dimension + 2u) : vec2(0.0);
-        lobe = sample_lobe(surface, by_lobe ? LOBE_GLOSSY : LOBE_MIRROR, wo, u);
+        if (by_lobe) {
+            lobe = sample_glossy(surface, wo, u);
+        } else {
+            lobe = sample_mirror(surface, wo);
+        }
         throughput *= lobe.throughput;
         if (by_lobe && throughput == vec3(0.0)) break;
         left = receiver_of(surface);
