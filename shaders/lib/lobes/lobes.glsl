@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lobes of a surface, by number: what follows paths asks for them here, so that a new lobe is one file and a line in
-// each of these functions.
+// The lobes of a surface, by number, for what chooses a lobe as it runs: a new lobe is one file and a line in each of these
+// functions. What knows its lobe asks that lobe's own functions: these inline all lobes, which drivers take long to read.
 #ifndef UTSURI_LIB_LOBES_LOBES
 #define UTSURI_LIB_LOBES_LOBES
 
