@@ -2,19 +2,18 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace utsuri::test {
 
-/// The SPIR-V of a kernel of the product, with the file it was compiled from.
+/// The SPIR-V of a kernel of the product, with the names that it has in the source.
 struct ProductKernel {
     std::string name;
-    std::span<const std::uint32_t> spirv;
+    std::vector<std::uint32_t> spirv;
 };
 
-/// All of them; shaders/CMakeLists.txt lists them too.
+/// All of shaders/CMakeLists.txt.
 std::vector<ProductKernel> product_kernels();
 
 }  // namespace utsuri::test

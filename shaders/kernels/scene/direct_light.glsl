@@ -37,7 +37,7 @@ Candidate make_candidate(Surface surface, vec3 wo, uint lobes, float choice, vec
     LightSample s = sample_light(choose_light(receiver_of(surface), choice), surface, u);
     if (!is_above(surface, s.direction)) return Candidate(s, vec3(0.0));
     vec3 bsdf = (lobes & (1u << LOBE_DIFFUSE)) != 0u ? diffuse_value(surface, wo, s.direction) : vec3(0.0);
-    if ((lobes & (1u << LOBE_GLOSSY)) != 0u && has_lobe(surface, LOBE_GLOSSY)) {
+    if (HAS_GLOSSY && (lobes & (1u << LOBE_GLOSSY)) != 0u && is_glossy(surface)) {
         float weight = s.pdf > 0.0 ? s.pdf / (s.pdf + glossy_pdf(surface, wo, s.direction)) : 1.0;
         bsdf += weight * glossy_value(surface, wo, s.direction);
     }

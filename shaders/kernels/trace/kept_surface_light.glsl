@@ -12,7 +12,7 @@ vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint
                    inout uint rays) {
     vec3 kept = kept_light(light_record(hit.triangle), vec2(hit.b1, hit.b2), surface.front);
     float cos_o = abs(dot(surface.ns, wo));
-    if (!has_lobe(surface, LOBE_GLOSSY)) return diffuse_reflectance(surface, cos_o) * kept;
+    if (!HAS_GLOSSY || !is_glossy(surface)) return diffuse_reflectance(surface, cos_o) * kept;
     return diffuse_under_lobe(surface, lost_under_lobe(cos_o)) * kept +
            direct_light(surface, wo, 1u << LOBE_GLOSSY, key, index, dimension, excluded_instance, rays);
 }

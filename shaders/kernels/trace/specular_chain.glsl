@@ -5,7 +5,8 @@
 #define UTSURI_KERNELS_TRACE_SPECULAR_CHAIN
 #include "interop/frame.h"
 #include "kernels/scene/direct_light.glsl"
-#include "lib/lobes/lobes.glsl"
+#include "lib/lobes/glossy.glsl"
+#include "lib/lobes/mirror.glsl"
 
 /// What light a surface sends out, its own emission and its reflections excepted. The kernel defines it.
 vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
@@ -34,8 +35,8 @@ vec3 follow_chain(Ray ray, uint first_depth, uint max_depth, uint key, uint inde
         vec3 wo = -ray.direction;
         uint dimension = FIRST_SURFACE_DIMENSION + depth * DIMENSIONS_PER_SURFACE;
         radiance += throughput * surface_light(surface, hit, wo, key, index, dimension, ray.excluded_instance, totals.rays);
-        by_lobe = has_lobe(surface, LOBE_GLOSSY);
-        if (!by_lobe && !has_lobe(surface, LOBE_MIRROR)) break;
+        by_lobe = HAS_GLOSSY && is_glossy(surface);
+        if (!by_lobe && !(HAS_MIRROR && is_mirror(surface))) break;
         vec2 u = by_lobe ? sample_2d(key, index, dimension + 2u) : vec2(0.0);
         if (by_lobe) {
             lobe = sample_glossy(surface, wo, u);

@@ -12,11 +12,6 @@ const uint LOBE_DIFFUSE = 0u;
 const uint LOBE_GLOSSY = 1u;
 const uint LOBE_MIRROR = 2u;
 
-bool has_lobe(Surface surface, uint lobe) {
-    if (lobe == LOBE_DIFFUSE) return is_diffuse(surface);
-    return lobe == LOBE_GLOSSY ? HAS_GLOSSY && is_glossy(surface) : HAS_MIRROR && is_mirror(surface);
-}
-
 /// 1/sr, for a direction above the surface.
 vec3 lobe_value(Surface surface, uint lobe, vec3 wo, vec3 wi) {
     if (lobe == LOBE_DIFFUSE) return diffuse_value(surface, wo, wi);

@@ -130,7 +130,7 @@ TEST(NoContractionKernels, AllThatAddToFilmsHaveTheCompensatedSum) {
 
 class NoContraction : public testing::TestWithParam<std::string> {
   protected:
-    static std::span<const std::uint32_t> spirv() {
+    static std::vector<std::uint32_t> spirv() {
         for (const test::ProductKernel& kernel : test::product_kernels()) {
             if (kernel.name == GetParam()) return kernel.spirv;
         }
