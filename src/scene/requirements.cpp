@@ -18,10 +18,11 @@ namespace {
 constexpr std::size_t kRoughnessChannel = 1;
 constexpr std::size_t kMetallicChannel = 2;
 
-/// What a material does at its roughest, smoothest and most metallic points.
+/// What a material does at its roughest, smoothest, most and least metallic points.
 struct MaterialRange {
     RoughnessRange roughness;
     bool reflects = false;  ///< some point has a mirror or glossy lobe
+    bool diffuse = false;   ///< some point has a diffuse lobe
 
     [[nodiscard]] bool may_be_mirror() const {
         return reflects && roughness.least < interop::SPECULAR_ROUGHNESS;
@@ -37,12 +38,15 @@ MaterialRange material_range(const Material& material, const std::optional<Textu
     MaterialRange result;
     result.roughness = {material.roughness, material.roughness};
     float most_metallic = material.metallic;
+    float least_metallic = material.metallic;
     if (range) {
         result.roughness.least *= factor(range->least[kRoughnessChannel]);
         result.roughness.most *= factor(range->most[kRoughnessChannel]);
         most_metallic *= factor(range->most[kMetallicChannel]);
+        least_metallic *= factor(range->least[kMetallicChannel]);
     }
     result.reflects = most_metallic > 0.0f || material.specular > 0.0f;
+    result.diffuse = least_metallic < 1.0f && material.base_colour != glm::vec3(0.0f);
     return result;
 }
 
@@ -186,6 +190,7 @@ Requirements find_requirements_but_depth(const Scene& scene, TextureRanges& rang
         needs.surfaces.push_back({of_materials[i].may_be_glossy(), of_materials[i].may_be_mirror(),
                                   has_texture(scene.materials[i])});
         needs.roughness.push_back(of_materials[i].roughness);
+        needs.diffuse.push_back(of_materials[i].diffuse);
     }
     for (const std::uint32_t material : materials)
         needs.glossy = needs.glossy || needs.surfaces[material].glossy;

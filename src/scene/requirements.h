@@ -62,6 +62,7 @@ struct Requirements {
     std::vector<std::uint32_t> glossy_instances;      ///< with triangles and a glossy lobe; ascending
     std::vector<SurfaceFeatures> surfaces;            ///< of each material, in use or not
     std::vector<RoughnessRange> roughness;            ///< of each material
+    std::vector<bool> diffuse;  ///< of each material, whether some point reflects diffusely
     /// Most specular reflections a ray can meet: 0 without specular lobes, 1 where all surfaces that have one
     /// lie in one plane, else unbounded.
     std::uint32_t max_depth = 0;

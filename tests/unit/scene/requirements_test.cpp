@@ -105,6 +105,31 @@ TEST(Requirements, ReadRoughnessAndMetalnessFromTextures) {
     EXPECT_FALSE(may_be_glossy(scene, matte));
 }
 
+// A factor is left at its default 1, and a texture decides.
+TEST(Requirements, TellWhereSomethingIsDiffuse) {
+    Scene scene;
+    for (const int blue : {255, 128}) {
+        Texture texture;
+        texture.width = 2;
+        texture.height = 1;
+        texture.rgba = {0, 128, 255, 255, 0, 128, static_cast<std::uint8_t>(blue), 255};
+        scene.textures.push_back(texture);
+        Material material;
+        material.metallic_roughness_texture.texture = static_cast<std::int32_t>(scene.textures.size() - 1);
+        material.base_colour = glm::vec3(0.5f);
+        material.metallic = 1.0f;
+        scene.materials.push_back(material);
+    }
+    Material black;
+    black.base_colour = glm::vec3(0.0f);
+    black.metallic = 0.0f;
+    Material paint;
+    paint.base_colour = glm::vec3(0.5f);
+    paint.metallic = 0.5f;
+    scene.materials.insert(scene.materials.end(), {black, paint});
+    EXPECT_EQ(find_requirements(scene).diffuse, (std::vector<bool>{false, true, false, true}));
+}
+
 TEST(Requirements, TellTheLeastAndMostOfEachChannel) {
     const TextureRange range = find_texture_range(texture({{9, 20, 31, 255}, {7, 22, 30, 254}}));
     EXPECT_THAT(range.least, ElementsAre(7, 20, 30, 254));
