@@ -1,26 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light kept at points in rows over each triangle (after the mesh colors of Yuksel, Keyser and House 2010,
-// whose lattices are as fine along the short edges of a triangle as along its long ones). Rows run along the
-// shortest edge, the base, from that edge to the apex, the corner opposite to it. The base's row has
-// `intervals` intervals; each `rows_per_interval` rows later there is one less, until the apex is a row of
-// one point.
-#ifndef UTSURI_INTEROP_LIGHT_CACHE_H
-#define UTSURI_INTEROP_LIGHT_CACHE_H
+// Light kept on surfaces: a mesh over each triangle of the scene, with light at its points. A triangle is the
+// root of a binary tree of triangles: a line from a point on an edge of a node to the corner opposite to it
+// makes its two children. On leaves light is linear between their corners. After mesh colors (Yuksel, Keyser
+// and House 2010): no parametrisation of the surface, and points only where something is.
+#ifndef UTSURI_INTEROP_LIGHT_MESH_H
+#define UTSURI_INTEROP_LIGHT_MESH_H
 #include "interop/prelude.h"
 INTEROP_BEGIN
 
-/// Indexed like BvhTriangle.
-struct LightCacheTriangle {
-    uint first_point;
-    uint intervals;          ///< of the base; 0 where the triangle keeps no light
-    uint rows_per_interval;  ///< at least 1
-    uint apex;               ///< 0, 1 or 2; the base goes from the corner after it to the one before it
+/// LightMeshNode::split of nodes that are not split.
+INTEROP_CONSTANT LIGHT_MESH_LEAF = 3u;
+
+/// The roots come first, numbered like BvhTriangle. Of an edge that is split, the corners are counted from
+/// where it begins.
+struct LightMeshNode {
+    uint split;   ///< 0, 1 or 2: the edge from this corner to the next; LIGHT_MESH_LEAF
+    uint first;   ///< child with corners (0, split point, 2); the one after it has (split point, 1, 2).
+                  ///< Leaf: point at its first corner, or NONE where no light is kept
+    uint second;  ///< bits of a float: how far along the edge it is split, in (0, 1). Leaf: point at its
+                  ///< second corner
+    uint third;   ///< 0. Leaf: point at its third corner
 };
 
 /// What a white diffuse surface would send out at a point, in cd/m2: irradiance over pi.
-struct LightCachePoint {
+struct LightMeshPoint {
     vec3 front;
     vec3 back;
+};
+
+/// Where a point is.
+struct LightMeshPlace {
+    uint triangle;
+    float b1;  ///< barycentric coordinates on it
+    float b2;
+    uint known;  ///< 1: what was kept at the point is right unless a change has reached it
 };
 
 /// Where light comes from.
@@ -36,14 +49,13 @@ struct ChangedBox {
     vec3 upper;
 };
 
-struct LightCachePush {
+struct LightPush {
     uint first_point;  ///< of this dispatch
     uint end_point;
-    uint triangles;  ///< of the scene
-    uint samples;    ///< of each point and side, at most
+    uint samples;  ///< of each point and side, at most
     uint seed;
     uint light_bounds;   ///< how many
-    uint changed_boxes;  ///< points that light reaches through none of them keep what they have
+    uint changed_boxes;  ///< known points that light reaches through none of them keep what they have
 };
 
 INTEROP_END

@@ -3,7 +3,7 @@
 #ifndef UTSURI_LIB_LIGHT_REACH
 #define UTSURI_LIB_LIGHT_REACH
 
-#include "interop/light_cache.h"
+#include "interop/light_mesh.h"
 #include "lib/numeric.glsl"
 
 /// Narrows the ways [begin, end] to those t with t * slope <= limit.

@@ -4,7 +4,7 @@
 #include "cli/scene_session.h"
 #include "compare/comparison/comparison_table.h"
 #include "renderers/film/film.h"
-#include "renderers/light/direct/lattice_plan.h"
+#include "renderers/light/direct/light_cache.h"
 #include "renderers/reflection/distances/distance_maps.h"
 #include "renderers/reflection/glossy/glossy_map_plan.h"
 
@@ -27,21 +27,20 @@ struct InfoOptions {
 struct Prediction {
     std::uint64_t scene = 0;
     std::uint64_t film = 0;
-    std::uint64_t light = 0;         ///< kept on surfaces, for methods that draw
+    MeshBytes light;                 ///< kept on surfaces, for methods that draw
     std::uint64_t drawing = 0;       ///< the pictures that are drawn into
     std::uint64_t polygon_maps = 0;  ///< with their film
     std::uint64_t glossy_maps = 0;   ///< what glossy lobes reflect, with what it takes to capture that
     std::uint64_t distances = 0;     ///< beside both, for methods that keep distances
 };
 
-Prediction predict(const SceneData& data, const RenderSettings& settings, const MapSettings& maps) {
+Prediction predict(const SceneData& data, const RenderSettings& settings, const LightSettings& light,
+                   const MapSettings& maps) {
     Prediction prediction;
     prediction.scene = data.device_bytes();
     prediction.film = Film::bytes(settings.width, settings.height);
-    const auto lattices =
-        plan_light_cache(data, LightSettings().spacing, std::numeric_limits<std::uint64_t>::max());
-    prediction.light = light_cache_points(lattices) * sizeof(interop::LightCachePoint) +
-                       lattices.size() * sizeof(interop::LightCacheTriangle);
+    prediction.light =
+        predict_mesh_bytes(data, mesh_settings(data, light, std::numeric_limits<std::uint64_t>::max()));
     // Colour, depth, and the colour again where the film reads it.
     prediction.drawing = std::uint64_t{settings.width} * settings.height * (16 + 4 + 16);
     const std::uint64_t stride = std::uint64_t{maps.size} + std::uint64_t{2} * interop::MAP_BORDER;
@@ -104,7 +103,8 @@ std::string describe(const InfoOptions& options, const LoadedScene& loaded, cons
         fmt::format("memory predicted at {}, maps of {}\n", options.picture.size, options.picture.map_size);
     row("scene", format_bytes(memory.scene));
     row("film", format_bytes(memory.film));
-    row("light on surfaces", format_bytes(memory.light));
+    row("light on surfaces", fmt::format("{}, up to {} where it changes", format_bytes(memory.light.least),
+                                         format_bytes(memory.light.most)));
     row("drawing", format_bytes(memory.drawing));
     row("polygon maps", format_bytes(memory.polygon_maps));
     row("maps of glossy lobes", format_bytes(memory.glossy_maps));
@@ -149,7 +149,8 @@ nlohmann::ordered_json to_json(const InfoOptions& options, const LoadedScene& lo
         {"predicted_bytes",
          {{"scene", memory.scene},
           {"film", memory.film},
-          {"light", memory.light},
+          {"light", memory.light.least},
+          {"light_refined", memory.light.most},
           {"drawing", memory.drawing},
           {"polygon_maps", memory.polygon_maps},
           {"glossy_maps", memory.glossy_maps},
@@ -161,7 +162,8 @@ ExitCode info(const InfoOptions& options) {
     const RenderSettings settings = options.picture.render_settings();
     const LoadedScene loaded = load_scene(options.scene);
     const SceneData data = prepare_scene_data(loaded.scene);
-    const Prediction memory = predict(data, settings, options.picture.map_settings());
+    const Prediction memory =
+        predict(data, settings, options.picture.light_settings(), options.picture.map_settings());
     print_text(options.common, describe(options, loaded, data, memory));
     write_json(options.common, to_json(options, loaded, data, memory));
     return ExitCode::success;

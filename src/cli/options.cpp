@@ -137,6 +137,9 @@ LightSettings PictureOptions::light_settings() const {
     LightSettings settings;
     settings.samples = light_samples;
     settings.seed = seed;
+    settings.spacing = light_spacing;
+    settings.refinement = light_refinement;
+    settings.most_points = light_points;
     return settings;
 }
 
@@ -174,6 +177,22 @@ void add_sampling_options(CLI::App& command, PictureOptions& options) {
             "Shadow rays at most at each point where light is kept on surfaces, for methods that draw and "
             "--kept-light")
         ->check(CLI::Range(1u, kMostLightSamples))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--light-spacing", options.light_spacing,
+            "Distance of these points where light is even, at most, as a share of the scene's diagonal")
+        ->check(finite_range(1e-5, 1.0))
+        ->capture_default_str();
+    command
+        .add_option("--light-refinement", options.light_refinement,
+                    "How many times as near they may be where light changes; 1: evenly spaced")
+        ->check(finite_range(1.0, 65536.0))
+        ->capture_default_str();
+    command
+        .add_option("--light-points", options.light_points,
+                    "Most points added where things touch, and again where light changes")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 31))
         ->capture_default_str();
     command.add_flag(
         "--kept-light", options.kept_light,

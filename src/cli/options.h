@@ -34,6 +34,9 @@ struct PictureOptions {
     std::string map_size = "256";
     std::uint32_t map_samples = 8;
     std::uint32_t light_samples = LightSettings().samples;
+    double light_spacing = LightSettings().spacing;
+    double light_refinement = LightSettings().refinement;
+    std::uint64_t light_points = LightSettings().most_points;
     bool kept_light = false;
     std::string capture_point;
     std::uint32_t most_probes = 1;

@@ -9,18 +9,25 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace utsuri {
 
 const LightSettings& checked(const LightSettings& light) {
-    if (!(light.spacing > 0.0) || light.samples < 1 || light.samples > kMostLightSamples ||
-        light.points_per_dispatch < 1) {
-        throw UsageError(
-            "keep light on surfaces",
-            fmt::format("{} samples at points {:g} apart", light.samples, light.spacing),
-            fmt::format("samples may be 1 to {}, points more than 0 apart, and at least one of them "
-                        "in a dispatch",
-                        kMostLightSamples));
-    }
+    const std::string object = fmt::format(
+        "{} samples, spacing {:g}, refinement {:g}, tolerance {:g}, {} points in a dispatch", light.samples,
+        light.spacing, light.refinement, light.tolerance, light.points_per_dispatch);
+    const auto refuse = [&](const std::string& problem) {
+        throw UsageError("keep light on surfaces", object, problem);
+    };
+    if (light.samples < 1 || light.samples > kMostLightSamples)
+        refuse(fmt::format("samples may be 1 to {}", kMostLightSamples));
+    if (!(light.spacing > 0.0) || !std::isfinite(light.spacing))
+        refuse("the spacing must be finite and more than 0");
+    if (!(light.refinement >= 1.0) || !std::isfinite(light.refinement))
+        refuse("the refinement must be finite and at least 1");
+    if (!(light.tolerance >= 0.0)) refuse("the tolerance must be at least 0");
+    if (light.points_per_dispatch < 1) refuse("a dispatch must have at least a point");
     return light;
 }
 

@@ -40,7 +40,7 @@ class CapturedMaps : public DeviceTest {
         return film.resolve();
     }
 
-    static constexpr LightSettings kCoarse{1.0 / 20.0, 1, 0};
+    static constexpr LightSettings kCoarse = evenly_kept(1.0 / 20.0, 1, 0);
 
     Progress silent_;
     SceneData data_;

@@ -72,7 +72,7 @@ class ChangedScene : public DeviceTest {
         return picture(*made);
     }
 
-    static constexpr LightSettings kCoarse{1.0 / 30.0, 2, 0};
+    static constexpr LightSettings kCoarse = evenly_kept(1.0 / 30.0, 2, 0);
 
     Progress silent_;
     SceneData data_;

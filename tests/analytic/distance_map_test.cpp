@@ -50,7 +50,7 @@ class DistanceMap : public DeviceTest {
                             const glm::dvec3& target) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, evenly_kept(1.0 / 20.0, 1, 0));
         settings.samples = 1;
         settings.predicts_errors = true;
         RenderSettings picture;
@@ -86,7 +86,7 @@ TEST_F(DistanceMap, ShowsFurnitureWhereItIs) {
     const auto wrong_share = [&](MapKind kind) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, evenly_kept(1.0 / 20.0, 1, 0));
         MapSettings settings = map_settings(kSize, kWorkedCapturePoint);
         settings.predicts_errors = true;
         RasterRenderer renderer =

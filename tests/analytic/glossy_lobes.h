@@ -73,7 +73,7 @@ void with_glossy_maps(Device& device, const Scene& scene, MapKind kind, const Ma
                       const Use& use) {
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device, data);
-    KeptLight light = kept_light(device, data, gpu_scene, {1.0 / 60.0, 4, 0});
+    KeptLight light = kept_light(device, data, gpu_scene, evenly_kept(1.0 / 60.0, 4, 0));
     RenderSettings picture;
     picture.width = picture.height = interop::TILE_SIZE;
     RasterRenderer renderer =

@@ -61,7 +61,7 @@ class HybridViews : public DeviceTest {
                      const RenderSettings& picture = kPicture) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, evenly_kept(1.0 / 20.0, 1, 0));
         RasterRenderer renderer =
             make_raster(device(), data, gpu_scene, light, eye(), {kind, true}, picture, settings(tolerance));
         Progress progress;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint32_t kSamples = 16;
 /// So coarse that what is kept differs visibly from what is simulated at each hit.
-constexpr LightSettings kCoarse{1.0 / 20.0, 4, 0};
+constexpr LightSettings kCoarse = evenly_kept(1.0 / 5.0, 4, 0);
 
 RenderSettings picture_of(std::uint32_t size, bool kept_light) {
     RenderSettings settings;
@@ -104,7 +104,7 @@ TEST_F(KeptLightTraced, IsSeenInMirrorsUnderGlossyLobes) {
     const glm::dvec3 way = eye - middle_in_mirror;
     const double lost = static_cast<double>(lobe_albedo(0.25, way.y / glm::length(way)).lost);
     const double expected = 0.5 * (1.0 - glm::mix(0.04, 1.0, lost)) * kIlluminance / std::numbers::pi;
-    constexpr LightSettings kCorners{1.0, 16, 0};
+    constexpr LightSettings kCorners = evenly_kept(1.0, 16, 0);
     MapSettings rays;  // no mirrored view, and no lookup of what has a glossy lobe
     rays.tolerance = {Tolerance::Of::radiance, kLeastRadianceTolerance};
     const auto shown = [&](const char* reflection, bool kept) {

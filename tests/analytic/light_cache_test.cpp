@@ -2,19 +2,22 @@
 // Light kept on surfaces, held against closed forms at the very points where it is kept.
 #include "renderers/light/direct/light_cache.h"
 
-#include "renderers/light/direct/lattice_plan.h"
+#include "renderers/scene/scene_triangles.h"
 #include "support/estimate.h"
 #include "support/light_scenes.h"
+#include "support/methods.h"
 #include "support/test_device.h"
 
 #include "base/error.h"
 
 #include "interop/bindings.h"
 
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -23,55 +26,50 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Scene, plan and contents of a cache.
+/// Scene and contents of a cache.
 struct Filled {
     SceneData data;
-    std::vector<interop::LightCacheTriangle> plan;
-    std::vector<interop::LightCachePoint> points;
+    LightMesh mesh;
     FrameCounts counts;
 };
 
 Filled fill(Device& device, const Scene& scene, const LightSettings& settings) {
     Filled filled;
     filled.data = prepare_scene_data(scene);
-    filled.plan = plan_light_cache(filled.data, settings.spacing, 1u << 20);
     const GpuScene gpu_scene(device, filled.data);
     LightCache cache(device, filled.data, gpu_scene, settings);
     Progress progress;
     cache.fill(progress);
     filled.counts = cache.cost().counts;
-    filled.points = cache.points();
-    EXPECT_EQ(filled.points.size(), light_cache_points(filled.plan));
+    filled.mesh = cache.mesh();
     return filled;
 }
 
-/// Calls visit(triangle, position in world space, point) for every point, in the order in which
-/// interop/light_cache.h numbers them.
+/// Calls visit(corners in scene space, points) for each leaf below a node, as interop/light_mesh.h has them.
+template <typename Visit>
+void for_each_leaf(const LightMesh& mesh, std::uint32_t node, const Corners& corners, Visit&& visit) {
+    const interop::LightMeshNode& n = mesh.nodes[node];
+    if (n.split == interop::LIGHT_MESH_LEAF) {
+        if (n.first != interop::NONE) visit(corners, std::array{n.first, n.second, n.third});
+        return;
+    }
+    const glm::dvec3 a = corners[n.split];
+    const glm::dvec3 b = corners[(n.split + 1) % 3];
+    const glm::dvec3 c = corners[(n.split + 2) % 3];
+    const glm::dvec3 p = glm::mix(a, b, static_cast<double>(std::bit_cast<float>(n.second)));
+    for_each_leaf(mesh, n.first, {a, p, c}, visit);
+    for_each_leaf(mesh, n.first + 1, {p, b, c}, visit);
+}
+
+/// Calls visit(triangle, position in world space, point) for every corner of every leaf.
 template <typename Visit>
 void for_each_point(const Filled& filled, Visit&& visit) {
-    for (std::size_t t = 0; t < filled.plan.size(); ++t) {
-        const interop::LightCacheTriangle& lattice = filled.plan[t];
-        if (lattice.intervals == 0) continue;
-        const interop::BvhTriangle& triangle = filled.data.bvh.triangles[t];
-        const std::array<glm::dvec3, 3> corners = {glm::dvec3(triangle.v0), glm::dvec3(triangle.v1),
-                                                   glm::dvec3(triangle.v2)};
-        const glm::dvec3 apex = corners[lattice.apex];
-        const glm::dvec3 from = corners[(lattice.apex + 1) % 3];
-        const glm::dvec3 to = corners[(lattice.apex + 2) % 3];
-        const std::uint32_t rows = lattice.intervals * lattice.rows_per_interval;
-        std::size_t at = lattice.first_point;
-        for (std::uint32_t j = 0; j <= rows; ++j) {
-            const std::uint32_t intervals = lattice.intervals - j / lattice.rows_per_interval;
-            for (std::uint32_t i = 0; i <= intervals; ++i, ++at) {
-                const double along = intervals > 0 ? static_cast<double>(i) / intervals : 0.0;
-                const glm::dvec3 on_base = glm::mix(from, to, along);
-                visit(t, filled.data.origin + glm::mix(on_base, apex, static_cast<double>(j) / rows),
-                      filled.points[at]);
-            }
-        }
-        const std::size_t end =
-            t + 1 < filled.plan.size() ? filled.plan[t + 1].first_point : filled.points.size();
-        EXPECT_EQ(at, end);
+    for (std::uint32_t t = 0; t < filled.data.triangle_infos.size(); ++t) {
+        for_each_leaf(filled.mesh, t, corners_of(filled.data, t),
+                      [&](const Corners& corners, const std::array<std::uint32_t, 3>& points) {
+                          for (std::size_t i = 0; i < 3; ++i)
+                              visit(t, filled.data.origin + corners[i], filled.mesh.points[points[i]]);
+                      });
     }
 }
 
@@ -100,10 +98,13 @@ TEST_F(LightCacheOnSurfaces, PointsThatTakeFewRaysAreSimulatedTogether) {
     scene.lights.push_back(sun);
     const SceneData data = prepare_scene_data(scene);
     const GpuScene gpu_scene(device(), data);
-    LightCache cache(device(), data, gpu_scene, LightSettings());
+    LightSettings settings;
+    settings.spacing = 1.0 / 300.0;
+    settings.refinement = 1.0;
+    LightCache cache(device(), data, gpu_scene, settings);
     CountingProgress progress;
     cache.fill(progress);
-    const auto points = static_cast<double>(cache.points().size());
+    const auto points = static_cast<double>(cache.mesh().points.size());
     EXPECT_GT(points, 10000.0);
     const double growing = 1.0 + std::log(points / 64.0) / std::log(8.0);
     EXPECT_LE(progress.dispatches(), std::ceil(growing) + cache.cost().counts.gpu_seconds / (0.1 / 8.0));
@@ -118,9 +119,9 @@ TEST_F(LightCacheOnSurfaces, SunOnAFloor) {
     sun.direction = {0.6, -0.8, 0.0};
     sun.intensity = {3.0f, 2.0f, 1.0f};
     scene.lights.push_back(sun);
-    const Filled filled = fill(device(), scene, {0.05, 4, 3});
+    const Filled filled = fill(device(), scene, evenly_kept(0.05, 4, 3));
     int visited = 0;
-    for_each_point(filled, [&](std::size_t, const glm::dvec3&, const interop::LightCachePoint& point) {
+    for_each_point(filled, [&](std::size_t, const glm::dvec3&, const interop::LightMeshPoint& point) {
         ++visited;
         for (int c = 0; c < 3; ++c) {
             const double expected = static_cast<double>(sun.intensity[c]) * 0.8 / kPi;
@@ -129,7 +130,7 @@ TEST_F(LightCacheOnSurfaces, SunOnAFloor) {
         }
     });
     EXPECT_GT(visited, 400);
-    EXPECT_GE(filled.counts.rays, filled.points.size());
+    EXPECT_GE(filled.counts.rays, filled.mesh.points.size());
 }
 
 /// Where the device's atan() is the least exact part: 4096 ulp are allowed, 1e-5 is what devices have.
@@ -147,10 +148,10 @@ TEST_F(LightCacheOnSurfaces, SquareOverAFloor) {
     Scene scene;
     add(scene, ground(1.0f), lambert(glm::vec3(0.5f)));
     add(scene, ceiling({0, 1, 0}, 0.5f), emitter(glm::vec3(1.0f)));
-    const Filled filled = fill(device(), scene, {0.04, 16, 3});
+    const Filled filled = fill(device(), scene, evenly_kept(0.04, 16, 3));
     int count = 0;
     for_each_point(
-        filled, [&](std::size_t, const glm::dvec3& position, const interop::LightCachePoint& point) {
+        filled, [&](std::size_t, const glm::dvec3& position, const interop::LightMeshPoint& point) {
             if (std::abs(position.y) > 1e-6) return;
             const double expected = std::abs(polygon_irradiance(kSquare, position, {0, 1, 0})) / kPi;
             EXPECT_NEAR(static_cast<double>(point.front.x), expected, kTrigonometry * expected);
@@ -165,14 +166,14 @@ TEST_F(LightCacheOnSurfaces, SquareCutByTheHorizon) {
     Scene scene;
     add(scene, quad({0.2f, -1, 0.8f}, {0, 0.9f, 0}, {0, 0, -1.6f}), lambert(glm::vec3(0.5f)));
     add(scene, ceiling({0, 1, 0}, 0.5f), emitter(glm::vec3(1.0f)));
-    const Filled filled = fill(device(), scene, {0.04, 16, 3});
+    const Filled filled = fill(device(), scene, evenly_kept(0.04, 16, 3));
     const std::array<glm::dvec3, 4> left = {
         glm::dvec3{-0.5, 1, -0.5}, {0.2, 1, -0.5}, {0.2, 1, 0.5}, {-0.5, 1, 0.5}};
     const std::array<glm::dvec3, 4> right = {
         glm::dvec3{0.2, 1, -0.5}, {0.5, 1, -0.5}, {0.5, 1, 0.5}, {0.2, 1, 0.5}};
     int count = 0;
     for_each_point(filled, [&](std::size_t t, const glm::dvec3& position,
-                               const interop::LightCachePoint& point) {
+                               const interop::LightMeshPoint& point) {
         if (position.y > 0.0) return;
         const interop::BvhTriangle& triangle = filled.data.bvh.triangles[t];
         const bool front_is_left = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0).x < 0.0f;
@@ -195,10 +196,10 @@ TEST_F(LightCacheOnSurfaces, PenumbraOfABlocker) {
     add(scene, ground(1.0f), lambert(glm::vec3(0.5f)));
     add(scene, ceiling({0, 1, 0}, 0.5f), emitter(glm::vec3(1.0f)));
     add(scene, quad({0, 0.5f, -3}, {3, 0, 0}, {0, 0, 6}), mirror());
-    const Filled filled = fill(device(), scene, {0.04, 256, 3});
+    const Filled filled = fill(device(), scene, evenly_kept(0.04, 256, 3));
     int in_penumbra = 0;
     for_each_point(filled,
-                   [&](std::size_t, const glm::dvec3& position, const interop::LightCachePoint& point) {
+                   [&](std::size_t, const glm::dvec3& position, const interop::LightMeshPoint& point) {
                        if (std::abs(position.y) > 1e-6) return;
                        // The blocker's edge x = 0, z any, at half the height is seen against x = -position.x.
                        const double edge = std::clamp(-position.x, -0.5, 0.5);
@@ -223,9 +224,9 @@ TEST_F(LightCacheOnSurfaces, ClosedBoxStaysDark) {
     lamp.position = {0.3, 2.5, 0.2};
     lamp.intensity = glm::vec3(100.0f);
     scene.lights.push_back(lamp);
-    const Filled filled = fill(device(), scene, {0.03, 1, 3});
+    const Filled filled = fill(device(), scene, evenly_kept(0.03, 1, 3));
     bool lit_outside = false;
-    for_each_point(filled, [&](std::size_t t, const glm::dvec3&, const interop::LightCachePoint& point) {
+    for_each_point(filled, [&](std::size_t t, const glm::dvec3&, const interop::LightMeshPoint& point) {
         ASSERT_EQ(filled.data.triangle_infos[t].instance, box);
         EXPECT_EQ(point.front, glm::vec3(0.0f));
         lit_outside = lit_outside || point.back.x > 0.0f;
@@ -240,92 +241,197 @@ TEST_F(LightCacheOnSurfaces, SameForAnySplitOfTheWork) {
     const Filled first = fill(device(), scene, {0.1, 200, 3});
     // A dispatch of less than a workgroup, whose last one is not full.
     const Filled second = fill(device(), scene, {0.1, 200, 3, 7});
-    ASSERT_EQ(first.points.size(), second.points.size());
-    for (std::size_t i = 0; i < first.points.size(); ++i) {
-        EXPECT_EQ(first.points[i].front, second.points[i].front);
-        EXPECT_EQ(first.points[i].back, second.points[i].back);
+    ASSERT_EQ(first.mesh.points.size(), second.mesh.points.size());
+    for (std::size_t i = 0; i < first.mesh.points.size(); ++i) {
+        EXPECT_EQ(first.mesh.points[i].front, second.mesh.points[i].front);
+        EXPECT_EQ(first.mesh.points[i].back, second.mesh.points[i].back);
     }
 }
 
-TEST(LightCachePlan, KeepsNeighboursWithinTheSpacing) {
+/// The sun, straight down.
+Light noon() {
+    Light sun;
+    sun.type = LightType::directional;
+    sun.direction = {0, -1, 0};
+    sun.intensity = glm::vec3(1.0f);
+    return sun;
+}
+
+// Smooth Lambert: at the corners of facets, by the normals that are interpolated there, not by those of the
+// facets, which are up to 11 degrees off.
+TEST_F(LightCacheOnSurfaces, SunOnACoarseSmoothBall) {
+    Scene scene;
+    add(scene, icosphere({0, 0, 0}, 1.0f, 2), lambert(glm::vec3(0.5f)));
+    scene.lights.push_back(noon());
+    const Filled filled = fill(device(), scene, evenly_kept(1.0, 4, 3));
+    int lit = 0;
+    int dark = 0;
+    for_each_point(filled,
+                   [&](std::size_t, const glm::dvec3& position, const interop::LightMeshPoint& point) {
+                       const double cosine = position.y / glm::length(position);
+                       // Facets at the terminator hide the light from each other.
+                       if (std::abs(cosine) < 0.25) return;
+                       ++(cosine > 0.0 ? lit : dark);
+                       const double expected = std::max(cosine, 0.0) / kPi;
+                       EXPECT_NEAR(static_cast<double>(point.front.x), expected, 8.0 * kRounding);
+                   });
+    EXPECT_GT(lit, 100);
+    EXPECT_GT(dark, 100);
+}
+
+// What lies above both horizons, of the surface and of its interpolated normal. The sphere of directions is
+// uniform: half an ellipse of it is left when projected (see environment_irradiance()), or a panel so large
+// that it is nearly that.
+TEST_F(LightCacheOnSurfaces, SurroundingsOfABallWithSmoothNormals) {
+    Scene scene;
+    add(scene, icosphere({0, 0, 0}, 1.0f, 1), lambert(glm::vec3(0.5f)));
+    scene.environment = glm::vec3(1.0f);
+    const Filled filled = fill(device(), scene, evenly_kept(1.0, 4, 3));
+    int count = 0;
+    for (std::uint32_t t = 0; t < filled.data.triangle_infos.size(); ++t) {
+        const Corners corners = corners_of(filled.data, t);
+        const glm::dvec3 ng = glm::normalize(doubled_area(corners));
+        for_each_leaf(
+            filled.mesh, t, corners, [&](const Corners& leaf, const std::array<std::uint32_t, 3>& points) {
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const double cosine = glm::dot(ng, glm::normalize(filled.data.origin + leaf[i]));
+                    // Corners are shared, and each of their triangles cuts as much of the surroundings off.
+                    const double expected = 0.5 * (1.0 + cosine);
+                    EXPECT_NEAR(static_cast<double>(filled.mesh.points[points[i]].front.x), expected, 0.02);
+                    ++count;
+                }
+            });
+    }
+    EXPECT_GT(count, 200);
+}
+
+/// A square light over the ground, dark by its texture up to a share of its width.
+Scene partly_dark_light(float height, int dark_of_64) {
+    Scene scene;
+    add(scene, ground(1.0f), lambert(glm::vec3(0.5f)));
+    Texture texture;
+    texture.width = 64;
+    texture.height = 4;
+    for (int y = 0; y < 4; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const std::uint8_t byte = x < dark_of_64 ? 0 : 255;
+            texture.rgba.insert(texture.rgba.end(), {byte, byte, byte, 255});
+        }
+    }
+    scene.textures.push_back(texture);
+    Mesh light = quad({-0.5f, height, -0.5f}, {1, 0, 0}, {0, 0, 1});
+    light.texcoords.clear();
+    for (const glm::vec3& position : light.positions)
+        light.texcoords.emplace_back(position.x + 0.5f, position.z + 0.5f);
+    Material shines = emitter(glm::vec3(1.0f));
+    shines.emissive_texture.texture = 0;
+    shines.emissive_texture.filter = TextureFilter::nearest;
+    add(scene, light, shines);
+    return scene;
+}
+
+// Lambert's formula for the part that shines. What is near is lit by pieces, 1/8 of an edge long: their
+// borders are those of the dark part in one case, and in the other it ends in the middle of pieces, which act
+// as if they shone evenly and have to be a few times their length away.
+TEST_F(LightCacheOnSurfaces, LightThatIsPartlyDarkByItsTexture) {
+    struct Case {
+        float height;
+        int dark_of_64;
+    };
+    for (const auto& [height, dark_of_64] : {Case{0.05f, 32}, {0.5f, 32}, {1.0f, 20}, {3.0f, 20}}) {
+        const Filled filled = fill(device(), partly_dark_light(height, dark_of_64), evenly_kept(0.04, 16, 3));
+        const auto y = static_cast<double>(height);
+        const double left = dark_of_64 / 64.0 - 0.5;
+        const std::array<glm::dvec3, 4> bright = {
+            glm::dvec3{left, y, -0.5}, {0.5, y, -0.5}, {0.5, y, 0.5}, {left, y, 0.5}};
+        int count = 0;
+        for_each_point(
+            filled, [&](std::size_t, const glm::dvec3& position, const interop::LightMeshPoint& point) {
+                if (std::abs(position.y) > 1e-6) return;
+                const double expected = std::abs(polygon_irradiance(bright, position, {0, 1, 0})) / kPi;
+                EXPECT_NEAR(static_cast<double>(point.front.x), expected, 0.01 * expected + 1e-5)
+                    << height << ": " << position.x << ' ' << position.z;
+                ++count;
+            });
+        ASSERT_GT(count, 300);
+    }
+}
+
+/// A hut of thin walls without a floor, on ground that goes on outside, turned off all axes.
+Scene hut_on_the_ground() {
+    Scene scene;
+    add(scene, ground(4.0f), lambert(glm::vec3(0.5f)));
+    const std::array walls = {block({-1, 0, -1}, {-0.99f, 2, 1}), block({0.99f, 0, -1}, {1, 2, 1}),
+                              block({-1, 0, -1}, {1, 2, -0.99f}), block({-1, 0, 0.99f}, {1, 2, 1}),
+                              block({-1, 1.99f, -1}, {1, 2, 1})};
+    for (const Mesh& wall : walls)
+        add(scene, wall, lambert(glm::vec3(0.5f)));
+    Light sun = noon();
+    const glm::dmat4 slanted =
+        glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(3.3, -1.7, 2.2)), 0.7, glm::dvec3(1, 2, 3));
+    sun.direction = glm::dvec3(slanted * glm::dvec4(sun.direction, 0.0));
+    scene.lights.push_back(sun);
+    for (Instance& instance : scene.instances)
+        instance.world_from_object = slanted;
+    return scene;
+}
+
+// Everywhere on the ground, not only at points: inside it is dark, and outside light right up to the walls,
+// which the sun from above leaves in no shadow.
+TEST_F(LightCacheOnSurfaces, NoneAcrossAWallAndNoneLostBesideIt) {
+    const Scene scene = hut_on_the_ground();
+    const glm::dmat4 upright = glm::inverse(scene.instances[0].world_from_object);
+    for (const double spacing : {0.2, 0.02}) {
+        const Filled filled = fill(device(), scene, evenly_kept(spacing, 8, 3));
+        int inside = 0;
+        int outside = 0;
+        for (std::uint32_t t = 0; t < filled.data.triangle_infos.size(); ++t) {
+            if (filled.data.triangle_infos[t].instance != 0) continue;
+            for_each_leaf(filled.mesh, t, corners_of(filled.data, t),
+                          [&](const Corners& leaf, const std::array<std::uint32_t, 3>& points) {
+                              const glm::dvec3 middle = (leaf[0] + leaf[1] + leaf[2]) / 3.0;
+                              const glm::dvec3 at(upright * glm::dvec4(filled.data.origin + middle, 1.0));
+                              const double from_middle = std::max(std::abs(at.x), std::abs(at.z));
+                              if (from_middle > 0.99 && from_middle < 1.0) return;  // under the walls
+                              const double expected = from_middle < 1.0 ? 0.0 : 1.0 / kPi;
+                              ++(from_middle < 1.0 ? inside : outside);
+                              for (const std::uint32_t point : points)
+                                  EXPECT_NEAR(static_cast<double>(filled.mesh.points[point].front.x),
+                                              expected, 8.0 * kRounding)
+                                      << at.x << ' ' << at.z;
+                          });
+        }
+        EXPECT_GE(inside, 2);
+        EXPECT_GE(outside, 8);
+    }
+}
+
+// Half in the shade of a board: what lies between points is off by less where they are denser.
+TEST_F(LightCacheOnSurfaces, IsDenserWhereAShadowEnds) {
     Scene scene;
     add(scene, ground(2.0f), lambert(glm::vec3(0.5f)));
-    add(scene, icosphere({0, 1, 0}, 0.5f, 2), lambert(glm::vec3(0.5f)));
-    const SceneData data = prepare_scene_data(scene);
-    const double diagonal = glm::length(glm::dvec3(data.bounds.extent()));
-    const auto plan = plan_light_cache(data, 0.01, 1u << 24);
-    ASSERT_EQ(plan.size(), data.triangle_infos.size());
-    std::uint64_t first = 0;
-    for (std::size_t t = 0; t < plan.size(); ++t) {
-        const interop::BvhTriangle& corners = data.bvh.triangles[t];
-        const std::array<double, 3> opposite = {static_cast<double>(glm::distance(corners.v1, corners.v2)),
-                                                static_cast<double>(glm::distance(corners.v2, corners.v0)),
-                                                static_cast<double>(glm::distance(corners.v0, corners.v1))};
-        const double base = opposite[plan[t].apex];
-        const double longest = *std::max_element(opposite.begin(), opposite.end());
-        EXPECT_EQ(base, *std::min_element(opposite.begin(), opposite.end()));
-        const double spacing = 0.01 * diagonal * (1.0 + kRounding);
-        EXPECT_LE(base / plan[t].intervals, spacing);
-        EXPECT_LE(longest / (plan[t].intervals * plan[t].rows_per_interval), spacing);
-        EXPECT_TRUE(plan[t].intervals == 1 || base / (plan[t].intervals - 1) * (1.0 + kRounding) > spacing);
-        EXPECT_EQ(plan[t].first_point, first);
-        const std::uint64_t n = plan[t].intervals;
-        first += plan[t].rows_per_interval * (n * (n + 3) / 2) + 1;
-    }
-    EXPECT_EQ(light_cache_points(plan), first);
-}
-
-// A slat of 2 m by 1 cm is as fine along its length as along its width, not finer.
-TEST(LightCachePlan, SpendsNothingOnTheWidthOfSlats) {
-    Scene scene;
-    add(scene, quad({0, 0, 0}, {2, 0, 0}, {0, 0.01f, 0}), lambert(glm::vec3(0.5f)));
-    const SceneData data = prepare_scene_data(scene);
-    const auto plan = plan_light_cache(data, 0.01, 1u << 24);
-    ASSERT_EQ(plan.size(), 2u);
-    for (const interop::LightCacheTriangle& triangle : plan) {
-        EXPECT_EQ(triangle.intervals, 1u);
-        EXPECT_NEAR(triangle.rows_per_interval, 100.0, 1.0);
-    }
-    EXPECT_LE(light_cache_points(plan), 410u);
-}
-
-// Its diagonal is 0, and so is the spacing.
-TEST(LightCachePlan, HasOneIntervalForEachTriangleOfASceneThatIsOnePoint) {
-    Mesh mesh;
-    mesh.positions.assign(3, glm::vec3(1, 2, 3));
-    mesh.normals.assign(3, glm::vec3(0, 0, 1));
-    mesh.triangles = {{0, 1, 2}};
-    Scene scene;
-    add(scene, mesh, lambert(glm::vec3(0.5f)));
-    for (const std::uint64_t most : {std::uint64_t{1}, std::uint64_t{1} << 24}) {
-        const auto plan = plan_light_cache(prepare_scene_data(scene), 0.01, most);
-        ASSERT_EQ(plan.size(), 1u);
-        EXPECT_EQ(plan[0].intervals, 1u);
-        EXPECT_EQ(plan[0].rows_per_interval, 1u);
-        EXPECT_EQ(light_cache_points(plan), 3u);
-    }
-}
-
-TEST(LightCachePlan, PassesOverWhatReflectsNothingDiffusely) {
-    Scene scene;
-    add(scene, ground(2.0f), mirror());
-    add(scene, ceiling({0, 1, 0}, 0.5f), emitter(glm::vec3(1.0f)));
-    const SceneData data = prepare_scene_data(scene);
-    const auto plan = plan_light_cache(data, 0.01, 1u << 24);
-    EXPECT_EQ(light_cache_points(plan), 0u);
-}
-
-TEST(LightCachePlan, GetsCoarserUntilItFits) {
-    Scene scene;
-    add(scene, ground(2.0f), lambert(glm::vec3(0.5f)));
-    const SceneData data = prepare_scene_data(scene);
-    const std::uint64_t wanted = light_cache_points(plan_light_cache(data, 1e-3, ~std::uint64_t{0}));
-    for (const std::uint64_t most : {wanted / 3, wanted / 100, std::uint64_t{6}}) {
-        const std::uint64_t points = light_cache_points(plan_light_cache(data, 1e-3, most));
-        EXPECT_LE(points, most);
-        // A third of what is allowed is used, unless triangles are too few for the choice.
-        EXPECT_GE(points, most < 100 ? 6 : most / 3);
-    }
+    add(scene, quad({-3, 1, -3}, {0, 0, 6}, {3.1f, 0, 0}), mirror());
+    scene.lights.push_back(noon());
+    const Filled even = fill(device(), scene, evenly_kept(0.1, 4, 3));
+    LightSettings settings = evenly_kept(0.1, 4, 3);
+    settings.refinement = 16.0;
+    const Filled fine = fill(device(), scene, settings);
+    const auto area_in_doubt = [](const Filled& filled) {
+        double area = 0.0;
+        for (std::uint32_t t = 0; t < filled.data.triangle_infos.size(); ++t) {
+            for_each_leaf(filled.mesh, t, corners_of(filled.data, t),
+                          [&](const Corners& leaf, const std::array<std::uint32_t, 3>& points) {
+                              const auto light = [&](std::size_t i) {
+                                  return filled.mesh.points[points[i]].front.x;
+                              };
+                              if (light(0) == light(1) && light(1) == light(2)) return;
+                              area += 0.5 * glm::length(glm::cross(leaf[1] - leaf[0], leaf[2] - leaf[0]));
+                          });
+        }
+        return area;
+    };
+    EXPECT_LT(area_in_doubt(fine), area_in_doubt(even) / 8.0);
+    EXPECT_LT(fine.mesh.points.size(), 16u * even.mesh.points.size());
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ MapObserver::MapObserver(Device& device, const Scene& scene, MapKind kind, const
       kind_(kind),
       settings_(settings),
       // What is looked at shines by itself.
-      light_(kept_light(device, data_, gpu_scene_, {1.0 / 60.0, 4, 0})) {}
+      light_(kept_light(device, data_, gpu_scene_, evenly_kept(1.0 / 60.0, 4, 0))) {}
 
 Image MapObserver::picture(const Camera& camera, const RenderSettings& settings, std::uint32_t samples) {
     RasterRenderer renderer =

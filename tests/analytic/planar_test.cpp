@@ -24,7 +24,7 @@ class Planar : public DeviceTest {
                         const std::vector<std::uint32_t>& portions) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 60.0, 4, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, evenly_kept(1.0 / 60.0, 4, 0));
         RasterRenderer renderer = make_raster(device(), data, gpu_scene, light, camera,
                                               {MapKind::proxy, true}, settings, MapSettings{24, 2, {}});
         Film film(device(), settings.width, settings.height, "test film");

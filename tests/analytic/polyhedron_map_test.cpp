@@ -95,7 +95,7 @@ class PolyhedronPieces : public DeviceTest, public testing::WithParamInterface<c
     static Cut cut(const Scene& scene, const Camera& eye, const char* solid) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 60.0, 4, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, evenly_kept(1.0 / 60.0, 4, 0));
         MapSettings settings = settings_for(solid);
         settings.size = 1;
         settings.samples = 1;

@@ -44,7 +44,7 @@ struct Measured {
 
 class RadianceBoundsOf : public DeviceTest {
   protected:
-    static constexpr LightSettings kCoarse{1.0 / 10.0, 1, 0};
+    static constexpr LightSettings kCoarse = evenly_kept(1.0 / 10.0, 1, 0);
 };
 
 // A plate far from the face towards +x moves: what bounded that face is as it was, in all its blocks.

@@ -29,14 +29,15 @@ class NoReflection : public DeviceTest {
     static Cost render(MapKind kind, const MapSettings& maps) {
         const SceneData data = prepare_scene_data(without_lobes());
         const GpuScene scene(device(), data);
-        KeptLight light = kept_light(device(), data, scene, {1.0 / 60.0, 4, 0});
+        KeptLight light = kept_light(device(), data, scene, evenly_kept(1.0 / 60.0, 4, 0));
+        Progress progress;
+        light.get()->fill(progress);
         const std::uint64_t before = device().memory().current;
         RasterRenderer renderer =
             make_raster(device(), data, scene, light, everything_camera(), kind, kSettings, maps);
+        renderer.prepare(progress);
         const std::uint64_t bytes = device().memory().current - before;
         Film film(device(), kSettings.width, kSettings.height, "film");
-        Progress progress;
-        renderer.prepare(progress);
         renderer.add_samples(film, 2, progress);
         EXPECT_EQ(reflectors_of(renderer), nullptr) << "kernels, pipelines and buffers of polygons";
         EXPECT_TRUE(renderer.maps().maps().infos().empty());
@@ -67,19 +68,22 @@ TEST_F(NoReflection, CostsNoMapsNoPolygonsAndNoRays) {
 TEST_F(NoReflection, WhileAMirrorCosts) {
     const SceneData data = prepare_scene_data(everything_scene());
     const GpuScene scene(device(), data);
-    KeptLight light = kept_light(device(), data, scene, {1.0 / 60.0, 4, 0});
+    KeptLight light = kept_light(device(), data, scene, evenly_kept(1.0 / 60.0, 4, 0));
+    Progress progress;
+    const std::shared_ptr<SurfaceLight> filled = light.get();
+    filled->fill(progress);
     MapSettings maps;
     maps.size = 8;
     const std::uint64_t before = device().memory().current;
     RasterRenderer small =
         make_raster(device(), data, scene, light, everything_camera(), MapKind::cube, kSettings, maps);
+    small.prepare(progress);
     const std::uint64_t small_bytes = device().memory().current - before;
     maps.size = 64;
     RasterRenderer large =
         make_raster(device(), data, scene, light, everything_camera(), MapKind::cube, kSettings, maps);
+    large.prepare(progress);
     EXPECT_GT(device().memory().current - before, 2 * small_bytes);
-    Progress progress;
-    small.prepare(progress);
     EXPECT_GT(small.statistics().prepare_counts.rays, light.get()->cost().counts.rays);
     EXPECT_NE(reflectors_of(small), nullptr);
 }

@@ -30,7 +30,7 @@ TEST_F(Pipelines, OfAllMethodsOfASceneAreKept) {
     const RenderSettings settings{16, 12, 1, 8};
     const SceneData data = prepare_scene_data(everything_scene());
     const GpuScene scene(device(), data);
-    KeptLight light = kept_light(device(), data, scene, {1.0 / 60.0, 4, 0});
+    KeptLight light = kept_light(device(), data, scene, evenly_kept(1.0 / 60.0, 4, 0));
     const Camera camera = everything_camera();
     const RendererInput input{device(), data, scene, light_methods().front(), light, camera};
     Progress progress;

@@ -7,7 +7,7 @@
 #include "interop/distance_map.h"
 #include "interop/frame.h"
 #include "interop/glossy_map.h"
-#include "interop/light_cache.h"
+#include "interop/light_mesh.h"
 #include "interop/lobe_albedo.h"
 #include "interop/radiance_bounds.h"
 #include "interop/raster.h"
@@ -99,17 +99,19 @@ std::map<std::string, HostStruct> host_structs() {
           {AT(AovPixel, depth), AT(AovPixel, position), AT(AovPixel, geometric_normal),
            AT(AovPixel, shading_normal), AT(AovPixel, albedo), AT(AovPixel, texcoord), AT(AovPixel, triangle),
            AT(AovPixel, instance), AT(AovPixel, material), AT(AovPixel, mirror)}}},
-        {"LightCacheTriangle",
-         {sizeof(LightCacheTriangle),
-          {AT(LightCacheTriangle, first_point), AT(LightCacheTriangle, intervals),
-           AT(LightCacheTriangle, rows_per_interval), AT(LightCacheTriangle, apex)}}},
-        {"LightCachePoint",
-         {sizeof(LightCachePoint), {AT(LightCachePoint, front), AT(LightCachePoint, back)}}},
-        {"LightCachePush",
-         {sizeof(LightCachePush),
-          {AT(LightCachePush, first_point), AT(LightCachePush, end_point), AT(LightCachePush, triangles),
-           AT(LightCachePush, samples), AT(LightCachePush, seed), AT(LightCachePush, light_bounds),
-           AT(LightCachePush, changed_boxes)}}},
+        {"LightMeshNode",
+         {sizeof(LightMeshNode),
+          {AT(LightMeshNode, split), AT(LightMeshNode, first), AT(LightMeshNode, second),
+           AT(LightMeshNode, third)}}},
+        {"LightMeshPoint", {sizeof(LightMeshPoint), {AT(LightMeshPoint, front), AT(LightMeshPoint, back)}}},
+        {"LightMeshPlace",
+         {sizeof(LightMeshPlace),
+          {AT(LightMeshPlace, triangle), AT(LightMeshPlace, b1), AT(LightMeshPlace, b2),
+           AT(LightMeshPlace, known)}}},
+        {"LightPush",
+         {sizeof(LightPush),
+          {AT(LightPush, first_point), AT(LightPush, end_point), AT(LightPush, samples), AT(LightPush, seed),
+           AT(LightPush, light_bounds), AT(LightPush, changed_boxes)}}},
         {"LightBounds",
          {sizeof(LightBounds), {AT(LightBounds, infinite), AT(LightBounds, lower), AT(LightBounds, upper)}}},
         {"ChangedBox", {sizeof(ChangedBox), {AT(ChangedBox, lower), AT(ChangedBox, upper)}}},

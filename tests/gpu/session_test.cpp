@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/session.h"
 
+#include "support/methods.h"
 #include "support/scenes.h"
 
 #include "base/error.h"
@@ -30,7 +31,7 @@ SessionSettings session_settings() {
     SessionSettings settings;
     settings.device = environment("UTSURI_DEVICE");
     if (environment("UTSURI_VALIDATION") == "1") settings.validation = Validation::on;
-    settings.light = {1.0 / 30.0, 1, 0};
+    settings.light = evenly_kept(1.0 / 30.0, 1, 0);
     return settings;
 }
 

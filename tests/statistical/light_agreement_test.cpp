@@ -24,10 +24,10 @@ constexpr RenderSettings kPicture{128, 96, 5, 8};
 /// Of both pictures, so that they smooth edges alike.
 constexpr std::uint32_t kDrawnSamples = 16;
 constexpr std::uint32_t kTracedSamples = 128;
-/// Twice as far apart as by default, with a quarter of the rays: what holds here holds by default.
-constexpr LightSettings kCoarse{1.0 / 150.0, 16, kPicture.seed};
+/// As by default, with a quarter of the rays: what holds here holds by default.
+constexpr LightSettings kCoarse{LightSettings().spacing, 16, kPicture.seed};
 
-/// The bounds that docs/architecture.md states; by default half of them hold.
+/// The bounds that docs/architecture.md states.
 constexpr double kMostBias = 0.01;     ///< of the mean, which interpolation keeps and leaks do not
 constexpr double kMostRelMse = 0.005;  ///< beyond the noise of the traced picture: where shadows end
 

@@ -123,8 +123,8 @@ class PredictedErrors : public DeviceTest {
     static void expect_bounds(const Scene& scene, const Trial& trial) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        KeptLight light =
-            kept_light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});  // light does not matter here
+        KeptLight light = kept_light(device(), data, gpu_scene,
+                                     evenly_kept(1.0 / 20.0, 1, 0));  // light does not matter here
         const std::vector<Camera> eyes = eyes_before_reflectors(scene, data, trial.eyes, 1);
         for (const auto& [kind, name] : kKinds) {
             const auto renderer = prepared(data, gpu_scene, light, eyes.front(), kind, trial.most_probes);
@@ -236,7 +236,7 @@ class TracedPixels : public DeviceTest {
     static View view(MapKind kind, float tolerance) {
         const SceneData data = prepare_scene_data(everything_scene());
         const GpuScene gpu_scene(device(), data);
-        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, evenly_kept(1.0 / 20.0, 1, 0));
         MapSettings settings;
         settings.size = 64;
         settings.samples = 1;
@@ -308,7 +308,7 @@ TEST_F(PredictedErrorsOfABall, AreWhatIsMeasuredWhereDistancesTellAll) {
     const BallInARoom ball;
     const SceneData data = prepare_scene_data(ball.scene());
     const GpuScene gpu_scene(device(), data);
-    KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 20.0, 1, 0});
+    KeptLight light = kept_light(device(), data, gpu_scene, evenly_kept(1.0 / 20.0, 1, 0));
     for (const auto& [kind, name] : kKinds) {
         SCOPED_TRACE(name);
         const Errors errors = errors_from(*prepared(data, gpu_scene, light, ball.camera, kind), ball.camera);

@@ -120,7 +120,7 @@ class RadianceTolerance : public DeviceTest {
         const Scene scene = with_black_mirrors(original);
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 60.0, 4, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, evenly_kept(1.0 / 60.0, 4, 0));
         const std::vector<Camera> eyes = eyes_before_reflectors(scene, data, kEyes, 1);
         const Views truth = draw(data, gpu_scene, light, eyes, {Tolerance::Of::place, 0.0});
         EXPECT_EQ(truth.counts.traced, truth.counts.lookups);
@@ -150,7 +150,7 @@ class RadianceTolerance : public DeviceTest {
     static double traced_share(const Scene& scene, double tolerance) {
         const SceneData data = prepare_scene_data(scene);
         const GpuScene gpu_scene(device(), data);
-        KeptLight light = kept_light(device(), data, gpu_scene, {1.0 / 20.0, 4, 0});
+        KeptLight light = kept_light(device(), data, gpu_scene, evenly_kept(1.0 / 20.0, 4, 0));
         const FrameCounts counts = draw(data, gpu_scene, light, {look_at({1, 2.8, 4}, {2, 1.5, 1}, 0.6)},
                                         {Tolerance::Of::radiance, tolerance})
                                        .counts;

@@ -52,7 +52,7 @@ DrawnScene::DrawnScene(Device& device, const Scene& scene)
     : device_(device),
       data_(prepare_scene_data(scene)),
       gpu_scene_(device, data_),
-      light_(kept_light(device, data_, gpu_scene_, {1.0 / 60.0, 4, 0})) {}
+      light_(kept_light(device, data_, gpu_scene_, evenly_kept(1.0 / 60.0, 4, 0))) {}
 
 std::unique_ptr<Renderer> DrawnScene::renderer(const DrawnMethod& method, const Camera& camera,
                                                const RenderSettings& settings, const MapSettings& maps) {

@@ -21,6 +21,16 @@ std::ostream& operator<<(std::ostream& stream, const DrawnMethod& method);
 /// All of them.
 std::vector<DrawnMethod> drawn_methods();
 
+/// Light at points that are spaced evenly, wherever it changes.
+constexpr LightSettings evenly_kept(double spacing, std::uint32_t samples, std::uint32_t seed) {
+    LightSettings settings;
+    settings.spacing = spacing;
+    settings.samples = samples;
+    settings.seed = seed;
+    settings.refinement = 1.0;
+    return settings;
+}
+
 /// Light kept on the surfaces of a scene.
 KeptLight kept_light(Device& device, const SceneData& data, const GpuScene& scene,
                      const LightSettings& settings);

@@ -6,15 +6,14 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "interop/bindings.h"
-#include "interop/light_cache.h"
+#include "interop/light_mesh.h"
 
-layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_CACHE_TRIANGLES) readonly restrict buffer CacheTriangles {
-    LightCacheTriangle cache_triangles[];
-};
+layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_MESH_NODES) readonly restrict buffer LightMeshNodes { LightMeshNode light_nodes[]; };
 
-uvec4 light_record(uint triangle) {
-    LightCacheTriangle lattice = cache_triangles[triangle];
-    return uvec4(lattice.first_point, lattice.intervals, lattice.rows_per_interval, lattice.apex);
+/// A LightMeshNode, member by member. Those of triangles come first.
+uvec4 light_record(uint node) {
+    LightMeshNode n = light_nodes[node];
+    return uvec4(n.split, n.first, n.second, n.third);
 }
 
 #endif

@@ -1,41 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Direct light at the points of the light cache, on both sides of each triangle, where a change can reach it.
+// Direct light at places on surfaces, on both sides of each, unless what is kept there is known to be right.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "interop/light_cache.h"
+#include "interop/light_mesh.h"
 #include "interop/workgroup.h"
 #include "kernels/film/counters.glsl"
-#include "kernels/light/light_records.glsl"
 #include "kernels/scene/direct_light.glsl"
-#include "lib/lattice.glsl"
 #include "lib/light_reach.glsl"
-#include "kernels/scene/unshadowed_light.glsl"
+#include "kernels/light/unshadowed_light.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
 layout(constant_id = SPEC_SUMS_LIGHTS) const bool SUMS_LIGHTS = false;
 
-layout(push_constant, scalar) uniform Push { LightCachePush push; };
+layout(push_constant, scalar) uniform Push { LightPush push; };
 
 layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_BOUNDS) readonly restrict buffer LightBoundsBuffer { LightBounds light_bounds[]; };
 layout(scalar, set = METHOD_SET, binding = BINDING_CHANGED_BOXES) readonly restrict buffer ChangedBoxes { ChangedBox changed_boxes[]; };
-layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_CACHE_POINTS) writeonly restrict buffer CachePoints { LightCachePoint cache_points[]; };
-
-/// The triangle whose lattice holds a point: the last that begins at or before it.
-uint triangle_of(uint point) {
-    uint first = 0u;
-    uint count = push.triangles;
-    while (count > 1u) {
-        uint half_count = count / 2u;
-        if (cache_triangles[first + half_count].first_point <= point) {
-            first += half_count;
-            count -= half_count;
-        } else {
-            count = half_count;
-        }
-    }
-    return first;
-}
+layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_PLACES) readonly restrict buffer Places { LightMeshPlace places[]; };
+layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_MESH_POINTS) writeonly restrict buffer Points { LightMeshPoint points[]; };
 
 /// The surface there, made white and diffuse.
 Surface white_surface(uint triangle, vec2 b, bool front) {
@@ -49,9 +32,10 @@ Surface white_surface(uint triangle, vec2 b, bool front) {
     return surface;
 }
 
-/// Shadow rays after which a point in no shadow so far counts as lit for good. Points in full shadow get all: a little
-/// light missed there shows, a little shadow missed in full light does not.
-const uint PROBING_RAYS = 16u;
+/// Samples after which a point in no shadow so far counts as lit for good, and one in full shadow as dark: a little light
+/// missed there shows more than a little shadow missed in full light.
+const uint LIT_AFTER_SAMPLES = 16u;
+const uint DARK_AFTER_SAMPLES = 32u;
 
 /// What a white surface sends out. Where the lights can be summed in closed form, samples only tell what share of that
 /// is not in shadow (Heitz, Hill and McGuire 2018): no noise where nothing or all is in shadow.
@@ -72,7 +56,9 @@ vec3 simulate_light(Surface surface, uint side) {
     uint s = 0u;
     uint samples = push.samples;
     for (; s < samples; ++s) {
-        if (SUMS_LIGHTS && s == PROBING_RAYS && lit == rays) {
+        bool is_lit = SUMS_LIGHTS && s == LIT_AFTER_SAMPLES && lit == rays && lit > 0u;
+        bool is_dark = s == DARK_AFTER_SAMPLES && lit == 0u && rays > 0u;
+        if (is_lit || is_dark) {
             samples = s;
             break;
         }
@@ -102,11 +88,9 @@ bool is_reached(vec3 position) {
 void main() {
     uint point = push.first_point + gl_GlobalInvocationID.x;
     if (point >= push.end_point) return;
-    uint triangle = triangle_of(point);
-    LightCacheTriangle lattice = cache_triangles[triangle];
-    vec2 b = lattice_point(lattice, point - lattice.first_point).yz;
-    Surface front = white_surface(triangle, b, true);
-    if (!is_reached(front.position)) return;
-    cache_points[point] = LightCachePoint(simulate_light(front, 0u),
-                                          simulate_light(white_surface(triangle, b, false), 1u));
+    LightMeshPlace place = places[point];
+    vec2 b = vec2(place.b1, place.b2);
+    Surface front = white_surface(place.triangle, b, true);
+    if (place.known == 1u && !is_reached(front.position)) return;
+    points[point] = LightMeshPoint(simulate_light(front, 0u), simulate_light(white_surface(place.triangle, b, false), 1u));
 }

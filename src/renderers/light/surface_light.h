@@ -42,7 +42,7 @@ class SurfaceLight {
     /// @throws Interrupted if progress says so; the light is not there then
     virtual void update(const SceneChange& change, Progress& progress) = 0;
 
-    /// What kernels/light/kept_light.glsl and lobe_albedo.glsl read.
+    /// What kernels/light/kept_light.glsl and lobe_albedo.glsl read. fill() comes first.
     [[nodiscard]] Bindings bindings() const;
 
     /// Of the last fill() or update() that simulated light.

@@ -24,9 +24,7 @@ RasterRenderer::RasterRenderer(const RendererInput& input, const RasterMethod& m
       method_(method),
       settings_(settings),
       map_settings_(map_settings),
-      camera_(input.camera) {
-    make_view(nullptr);
-}
+      camera_(input.camera) {}
 
 void RasterRenderer::make_view(PreparedMaps* previous) {
     PlaneMirrors mirrors;
@@ -55,9 +53,11 @@ void RasterRenderer::warm_up() {
 }
 
 void RasterRenderer::prepare(Progress& progress) {
-    warm_up();
     light_->fill(progress);
     count_light(light_->cost());
+    // What draws is bound to the light, which has its size only now.
+    if (!view_) make_view(nullptr);
+    warm_up();
     maps_->prepare(camera_, statistics_, progress);
     capture_first_view(progress);
 }
@@ -98,7 +98,7 @@ void RasterRenderer::capture_first_view(Progress& progress) {
 
 void RasterRenderer::set_camera(const Camera& camera) {
     camera_ = camera;
-    view_->set_camera(camera);
+    if (view_) view_->set_camera(camera);
 }
 
 interop::FrameInfo RasterRenderer::frame_settings() const {

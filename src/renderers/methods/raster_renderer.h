@@ -42,6 +42,7 @@ class RasterRenderer : public Renderer {
     /// Of MapKind::hybrid only.
     [[nodiscard]] std::vector<float> traced_pixels() override;
 
+    /// prepare() comes first for both.
     [[nodiscard]] const PreparedMaps& maps() const { return *maps_; }
     [[nodiscard]] const ViewDrawer& view() const { return *view_; }
 

@@ -143,8 +143,7 @@ SceneChange find_changes(const Step& step) {
     const SceneData& after = step.after;
     SceneChange change;
     const std::vector<bool> same_material = same_materials(step);
-    for (std::size_t i = 0; i < after.materials.size(); ++i)
-        change.lights |= reflects_diffusely(before.materials[i]) != reflects_diffusely(after.materials[i]);
+    change.lights = before.requirements.diffuse != after.requirements.diffuse;
     const std::vector<interop::BvhTriangle>& were =
         step.keeps(interop::BINDING_BVH_TRIANGLES) ? after.bvh.triangles : before.bvh.triangles;
     for (std::uint32_t t = 0; t < after.triangle_infos.size(); ++t) {

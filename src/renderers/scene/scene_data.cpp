@@ -9,10 +9,6 @@
 
 namespace utsuri {
 
-bool reflects_diffusely(const interop::MaterialInfo& material) {
-    return material.metallic < 1.0f && material.base_colour != glm::vec3(0.0f);
-}
-
 SceneData prepare_scene_data(const Scene& scene) {
     SceneData data;
     const TextureTable table(scene);

@@ -73,9 +73,6 @@ struct SceneData {
     [[nodiscard]] std::uint64_t device_bytes() const;
 };
 
-/// Whether some of the light that arrives at surfaces of a material is reflected diffusely.
-bool reflects_diffusely(const interop::MaterialInfo& material);
-
 /// Transforms the scene's geometry, builds its BVH, and lists its lights weighted by their power.
 /// @param scene valid: check_scene()
 SceneData prepare_scene_data(const Scene& scene);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 
 namespace utsuri {
@@ -92,11 +91,6 @@ ChangedSpace changed_space(const SceneData& data, const SceneChange& change) {
     for (const Bounds& box : joined(boxes, kMostChangedBoxes))
         result.boxes.push_back({box.lower - room, box.upper + room});
     return result;
-}
-
-ChangedSpace all_space() {
-    constexpr float kFarthest = std::numeric_limits<float>::max();
-    return {{}, {{glm::vec3(-kFarthest), glm::vec3(kFarthest)}}};
 }
 
 }  // namespace utsuri

@@ -3,7 +3,7 @@
 
 #include "renderers/scene/scene_change.h"
 
-#include "interop/light_cache.h"
+#include "interop/light_mesh.h"
 
 #include <vector>
 
@@ -24,7 +24,5 @@ inline constexpr std::size_t kMostChangedBoxes = 16;
 
 /// @param data after the change
 ChangedSpace changed_space(const SceneData& data, const SceneChange& change);
-/// Wherever some light can reach.
-ChangedSpace all_space();
 
 }  // namespace utsuri

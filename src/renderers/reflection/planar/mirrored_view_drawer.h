@@ -20,7 +20,7 @@ class MirroredViewDrawer {
     /// Colour attachments that are drawn into: what pixels show and wait for, and the throughput of mirrors.
     static constexpr std::uint32_t kColours = 2;
 
-    /// @param bindings of scene, light cache, maps, and of what pixels showed before this view:
+    /// @param bindings of scene, kept light, maps, and of what pixels showed before this view:
     /// BINDING_DRAWN, BINDING_THROUGHPUT
     /// @param kind of the maps: proxy, or hybrid with a tolerance of place, which follows rays where maps are
     /// not right enough and where a mirror's view is not drawn

@@ -9,7 +9,7 @@ namespace utsuri {
 /// reflection, of two, and so on. A pixel shows at most one view of each number of reflections.
 class PlanarDrawer {
   public:
-    /// @param bindings of scene, light cache, maps and BINDING_FRAME; the last and the states of the maps
+    /// @param bindings of scene, kept light, maps and BINDING_FRAME; the last and the states of the maps
     /// must outlive this
     /// @param curved reflectors with maps
     /// @param kind of the maps: see MirroredViewDrawer

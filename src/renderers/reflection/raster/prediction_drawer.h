@@ -21,7 +21,7 @@ class PredictionDrawer {
   public:
     /// @param kind whose look-ups
     /// @param specialization of the fragment stage, with map and distance sizes
-    /// @param bindings of scene, light cache, maps, distance maps and BINDING_FRAME, which must outlive this
+    /// @param bindings of scene, kept light, maps, distance maps and BINDING_FRAME, which must outlive this
     /// @param reflectors whose vertices have been reflected for the eye
     PredictionDrawer(Device& device, const SceneData& data, MapKind kind, std::size_t faces,
                      const Specialization& specialization, const Bindings& bindings,

@@ -25,7 +25,7 @@ class ReflectorDrawer {
     /// @param reflectors with at least one polygon
     /// @param faces of the polyhedron; empty for sphere maps
     /// @param specialization of the fragment stage
-    /// @param bindings of scene, light cache, maps and BINDING_FRAME
+    /// @param bindings of scene, kept light, maps and BINDING_FRAME
     /// @param most_cut_pieces see MapSettings, > 0
     /// @param tolerance of MapKind::hybrid
     ReflectorDrawer(Device& device, const SceneData& data, const Reflectors& reflectors, MapKind kind,

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderers/scene/scene_data.h"
+
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace utsuri {
+
+/// A line in a triangle's plane along which something touches or crosses it: light on its two sides has
+/// nothing to do with each other. In metres, in the plane's own coordinates: TriangleFrame.
+struct ContactSegment {
+    glm::dvec2 from;
+    glm::dvec2 to;
+};
+
+/// Twice the area between two directions in a plane, positive if the second is to the left of the first.
+double cross(const glm::dvec2& a, const glm::dvec2& b);
+
+/// Metric coordinates in the plane of a triangle: the origin is its first corner.
+class TriangleFrame {
+  public:
+    /// @param corners of a triangle that has an area
+    explicit TriangleFrame(const std::array<glm::dvec3, 3>& corners);
+
+    [[nodiscard]] glm::dvec2 project(const glm::dvec3& point) const;
+    /// Signed distance from the plane, positive before the front.
+    [[nodiscard]] double height(const glm::dvec3& point) const;
+    [[nodiscard]] const std::array<glm::dvec2, 3>& corners() const { return corners_; }
+    [[nodiscard]] const glm::dvec3& normal() const { return normal_; }
+    [[nodiscard]] double longest_edge() const;
+
+  private:
+    glm::dvec3 origin_;
+    glm::dvec3 right_;
+    glm::dvec3 up_;
+    glm::dvec3 normal_;
+    std::array<glm::dvec2, 3> corners_{};
+};
+
+/// The part of a segment inside a triangle, grown by `margin`; none if all of it is outside.
+/// @param corners counterclockwise
+std::optional<ContactSegment> clip_to_triangle(const ContactSegment& segment,
+                                               const std::array<glm::dvec2, 3>& corners, double margin);
+
+/// Finds what touches or crosses triangles of a scene. Neighbours in one surface, which share a whole edge
+/// with a triangle and nobody else, do not count.
+class ContactFinder {
+  public:
+    /// @param scene must outlive this
+    /// @param gap metres: what is no farther from a triangle touches it; less counts on triangles that are
+    ///     not much larger
+    ContactFinder(const SceneData& scene, double gap);
+
+    /// Lines on a triangle, ordered, each once.
+    [[nodiscard]] std::vector<ContactSegment> find(std::uint32_t triangle) const;
+    /// How far rounding may put things that were modelled to touch from each other, metres.
+    [[nodiscard]] double rounding() const { return rounding_; }
+
+  private:
+    /// Other triangles that may come that near to the triangle and its plane.
+    [[nodiscard]] std::vector<std::uint32_t> near(std::uint32_t triangle, const TriangleFrame& frame,
+                                                  double gap) const;
+
+    const SceneData& scene_;
+    double gap_;
+    double rounding_;
+};
+
+}  // namespace utsuri
