@@ -196,9 +196,9 @@ void check_cone(const Light& light, const Element& place) {
     if (!(outer > 0.0 && outer <= 0.5 * std::numbers::pi + kAngleRounding))
         place.fail("outer_cone_angle",
                    fmt::format("is {:g}; must be above 0 and at most pi/2, in radians", outer));
-    if (!(light.inner_cone_angle >= 0.0 && light.inner_cone_angle < outer))
+    if (!(light.inner_cone_angle >= 0.0 && light.inner_cone_angle <= outer))
         place.fail("inner_cone_angle",
-                   fmt::format("is {:g}; must be at least 0 and below outer_cone_angle, {:g}, in radians",
+                   fmt::format("is {:g}; must be at least 0 and at most outer_cone_angle, {:g}, in radians",
                                light.inner_cone_angle, outer));
 }
 

@@ -4,8 +4,10 @@
 #include "import/document/uri.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdint>
+#include <set>
 #include <string>
 
 namespace utsuri {
@@ -36,6 +38,11 @@ std::span<const std::byte> Buffers::read_buffer(std::size_t index) {
         bytes = storage_[index];
     } else if (index == 0 && !document_.container.bin.empty()) {
         bytes = document_.container.bin;
+    } else if (const std::string extensions = extensions_on(index); !extensions.empty()) {
+        document_.fail(place + ".uri",
+                       fmt::format("missing; its contents are left to {}, which is not supported: must be "
+                                   "exported without",
+                                   extensions));
     } else {
         document_.fail(place + ".uri", "missing; only buffers[0] of a .glb with a BIN chunk may lack it");
     }
@@ -46,6 +53,20 @@ std::span<const std::byte> Buffers::read_buffer(std::size_t index) {
             fmt::format("is {}, but there are {} bytes; must be at most that", length, bytes.size()));
     }
     return bytes;
+}
+
+std::string Buffers::extensions_on(std::size_t index) const {
+    std::set<std::string> names;
+    const auto add = [&](const nlohmann::json& object) {
+        const nlohmann::json extensions = object.value("extensions", nlohmann::json::object());
+        for (const auto& [name, contents] : extensions.items())
+            names.insert(name);
+    };
+    add(document_.json["buffers"][index]);
+    for (const nlohmann::json& view : document_.json["bufferViews"]) {
+        if (view["buffer"] == index) add(view);
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace utsuri

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace utsuri {
@@ -22,6 +23,8 @@ class Buffers {
   private:
     std::span<const std::byte> buffer(std::size_t index);
     std::span<const std::byte> read_buffer(std::size_t index);
+    /// Names of the extensions on a buffer and on the bufferViews of it.
+    [[nodiscard]] std::string extensions_on(std::size_t index) const;
 
     const Document& document_;
     std::vector<std::vector<std::byte>> storage_;

@@ -99,7 +99,8 @@ class LayoutChecker {
         const Json& view = root_["bufferViews"][access.view];
         const std::uint64_t size = access.element.size();
         std::uint64_t stride = size;
-        if (view.contains("byteStride") && access.may_stride) {
+        // Some exporters write 0 where elements are packed.
+        if (size_of(view, "byteStride") != 0 && access.may_stride) {
             stride = size_of(view, "byteStride");
             if (stride < size) {
                 file_.fail(

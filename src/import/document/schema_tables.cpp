@@ -69,7 +69,7 @@ constexpr std::array kBufferView = {
     Field{.name = "buffer", .kind = Kind::index, .required = true, .list = List::buffers},
     Field{.name = "byteOffset", .kind = Kind::integer, .min = 0, .max = kMaxExact},
     Field{.name = "byteLength", .kind = Kind::integer, .required = true, .min = 1, .max = kMaxExact},
-    Field{.name = "byteStride", .kind = Kind::integer, .min = 4, .max = 252, .multiple = 4},
+    Field{.name = "byteStride", .kind = Kind::integer, .min = 0, .max = 252, .multiple = 4},
 };
 constexpr Schema kBufferViewSchema = {kBufferView};
 
@@ -213,9 +213,12 @@ constexpr std::array kCamera = {
 };
 constexpr Schema kCameraSchema = {kCamera};
 
+/// A right angle as exporters write it that keep angles in float32: a little more than pi / 2.
+constexpr double kRightAngle = static_cast<float>(std::numbers::pi / 2);
+
 constexpr std::array kSpot = {
-    Field{.name = "innerConeAngle", .kind = Kind::number, .min = 0, .max = std::numbers::pi / 2},
-    Field{.name = "outerConeAngle", .kind = Kind::number, .min = kAboveZero, .max = std::numbers::pi / 2},
+    Field{.name = "innerConeAngle", .kind = Kind::number, .min = 0, .max = kRightAngle},
+    Field{.name = "outerConeAngle", .kind = Kind::number, .min = kAboveZero, .max = kRightAngle},
 };
 constexpr Schema kSpotSchema = {kSpot};
 

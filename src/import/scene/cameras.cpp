@@ -51,6 +51,7 @@ void import_camera(ImportContext& context, const PlacedNode& placed) {
         return;
     }
     context.result.scene.cameras.push_back(camera);
+    context.near_planes.push_back(source.perspective.znear);
 }
 
 void add_default_camera(ImportContext& context) {

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace utsuri {
 
@@ -21,6 +22,7 @@ struct ImportContext {
     FeatureNotes ignored;
     FeatureNotes added;
     ImportResult result;
+    std::vector<double> near_planes;  ///< of the scene's cameras, metres
 
     explicit ImportContext(const Document& source) : document(source), buffers(source) {}
 };

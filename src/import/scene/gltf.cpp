@@ -6,6 +6,7 @@
 #include "import/scene/context.h"
 #include "import/scene/instances.h"
 #include "import/scene/lights.h"
+#include "import/scene/near_planes.h"
 #include "import/scene/nodes.h"
 
 #include <string>
@@ -22,6 +23,15 @@ void note_animations(const nlohmann::json& root, FeatureNotes& ignored) {
     }
 }
 
+void note_zero_strides(const nlohmann::json& root, FeatureNotes& ignored) {
+    const nlohmann::json views = root.value("bufferViews", nlohmann::json::array());
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (views[i].value("byteStride", 1) == 0)
+            ignored.add("a byteStride of 0 is read as none, elements are packed",
+                        fmt::format("bufferViews[{}]", i));
+    }
+}
+
 }  // namespace
 
 ImportResult import_gltf(const std::filesystem::path& path) {
@@ -31,6 +41,7 @@ ImportResult import_gltf(const std::filesystem::path& path) {
     context.result.scene.name = name.empty() ? path.stem().string() : name;
     note_unused_extensions(document.json, context.ignored);
     note_animations(document.json, context.ignored);
+    note_zero_strides(document.json, context.ignored);
     InstanceImporter instances(context);
     for (const PlacedNode& placed : place_nodes(document)) {
         instances.import_node(placed);
@@ -41,6 +52,7 @@ ImportResult import_gltf(const std::filesystem::path& path) {
         context.result.added.emplace_back("no triangle in the file: the scene is empty");
     }
     add_default_light(context);
+    note_near_planes(context);
     add_default_camera(context);
     context.result.ignored = context.ignored.lines();
     const Notes added = context.added.lines();

@@ -15,15 +15,21 @@ constexpr const char* kExtension = "KHR_lights_punctual";
 
 using Json = nlohmann::json;
 
-void read_cone(const Document& document, const Json& source, const std::string& place, Light& light) {
+/// Angles that are equal may differ by this share when they are kept in float32: by a rounding of each.
+constexpr double kAngleRounding = 0x1p-23;
+
+void read_cone(ImportContext& context, const Json& source, const std::string& place, Light& light) {
     const Json& spot = source["spot"];
-    light.inner_cone_angle = spot.value("innerConeAngle", 0.0);
-    light.outer_cone_angle = spot.value("outerConeAngle", std::numbers::pi / 4.0);
-    if (light.inner_cone_angle >= light.outer_cone_angle) {
-        document.fail(place + ".spot.innerConeAngle",
-                      fmt::format("is {}; must be less than outerConeAngle, {}", light.inner_cone_angle,
-                                  light.outer_cone_angle));
+    const double inner = spot.value("innerConeAngle", 0.0);
+    const double outer = spot.value("outerConeAngle", std::numbers::pi / 4.0);
+    if (inner > outer * (1.0 + kAngleRounding)) {
+        context.document.fail(place + ".spot.innerConeAngle",
+                              fmt::format("is {}; must be less than outerConeAngle, {}", inner, outer));
     }
+    if (inner >= outer)
+        context.ignored.add("spots whose inner cone is as wide as the outer one have a hard edge", place);
+    light.outer_cone_angle = std::min(outer, std::numbers::pi / 2.0);
+    light.inner_cone_angle = std::min(inner, light.outer_cone_angle);
 }
 
 glm::vec3 read_intensity(const Document& document, const Json& source, const std::string& place) {
@@ -65,7 +71,7 @@ void import_light(ImportContext& context, const PlacedNode& placed) {
     light.name = source.value("name", node_name.empty() ? fmt::format("nodes[{}]", placed.node) : node_name);
     light.intensity = read_intensity(document, source, place);
     light.range = source.value("range", 0.0);
-    if (light.type == LightType::spot) read_cone(document, source, place, light);
+    if (light.type == LightType::spot) read_cone(context, source, place, light);
     light.position = glm::dvec3(placed.world_from_node[3]);
     const glm::dvec3 direction(-placed.world_from_node[2]);
     const double length = glm::length(direction);

@@ -106,9 +106,22 @@ Material MaterialImporter::read(std::size_t index) {
     material.metallic_roughness_texture =
         textures_.slot(pbr.metallicRoughnessTexture, pbr_place + "metallicRoughnessTexture");
     material.emissive_texture = textures_.slot(source.emissiveTexture, place + ".emissiveTexture");
+    leave_out_black_emission(material, place);
     note_unused_features(context_.ignored, source, place);
     note_unused_specular(context_.ignored, specular, place);
     return material;
+}
+
+void MaterialImporter::leave_out_black_emission(Material& material, const std::string& place) {
+    if (!material.emissive_texture.used() || material.emissive == glm::vec3(0.0f)) return;
+    const Texture& texture =
+        context_.result.scene.textures[static_cast<std::size_t>(material.emissive_texture.texture)];
+    for (std::size_t byte = 0; byte < texture.rgba.size(); ++byte) {
+        if (byte % 4 != 3 && texture.rgba[byte] != 0) return;
+    }
+    material.emissive = glm::vec3(0.0f);
+    material.emissive_texture = {};
+    context_.ignored.add("emissive textures that are black all over give no light", place);
 }
 
 }  // namespace utsuri

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 
 namespace utsuri {
 
@@ -21,6 +22,7 @@ class MaterialImporter {
 
   private:
     Material read(std::size_t index);
+    void leave_out_black_emission(Material& material, const std::string& place);
 
     ImportContext& context_;
     TextureImporter textures_;

@@ -5,6 +5,7 @@ namespace utsuri::test {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -275,8 +276,19 @@ TEST(Layout, StrideBelowElement) {
                 AllOf(HasSubstr("bufferViews[0].byteStride"), HasSubstr("is 8; must be at least 12")));
     writer.json["bufferViews"][0]["byteStride"] = 14;
     EXPECT_THAT(import_error(writer),
-                HasSubstr("bufferViews[0].byteStride: is 14; must be an integer in [4, 252] and a "
+                HasSubstr("bufferViews[0].byteStride: is 14; must be an integer in [0, 252] and a "
                           "multiple of 4"));
+}
+
+TEST(Layout, StrideOfZeroIsPacked) {
+    GltfWriter writer;
+    writer.add_triangle();
+    const std::vector<glm::vec3> packed = only_mesh(writer.import()).positions;
+    writer.json["bufferViews"][0]["byteStride"] = 0;
+    const ImportResult result = writer.import();
+    EXPECT_EQ(only_mesh(result).positions, packed);
+    EXPECT_THAT(result.ignored,
+                Contains("a byteStride of 0 is read as none, elements are packed: bufferViews[0]"));
 }
 
 TEST(VertexComponents, WrongTypesAreNamed) {

@@ -12,6 +12,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Roundings of a few float64 operations on numbers near 1.
 constexpr double kTransformTolerance = 1e-14;
@@ -90,6 +91,23 @@ TEST(Cameras, OrthographicIsListed) {
     const ImportResult result = file.import();
     EXPECT_THAT(result.ignored, ElementsAre("orthographic cameras are not used: cameras[0]"));
     EXPECT_EQ(result.scene.cameras.at(0).name, "default");
+}
+
+TEST(Cameras, NearPlanesThatWouldCutAreNoted) {
+    CameraFile file;
+    file.add_triangle();  // of edge 1, about a corner at the origin
+    file.json["cameras"][0]["perspective"]["znear"] = 2;
+    const auto notes_from = [&](double x, double z) {
+        file.node()["translation"] = {x, 0, z};
+        return file.import().ignored;
+    };
+    const auto noted = Contains("near planes are not used: what lies before znear is drawn: cameras[0]");
+    EXPECT_THAT(notes_from(0.0, 1.9), noted);
+    EXPECT_THAT(notes_from(0.0, 2.1), Not(noted)) << "behind the plane";
+    EXPECT_THAT(notes_from(0.0, -0.1), Not(noted)) << "behind the eye";
+    // The view reaches 1.9 tan(0.4) = 0.803 to the side; the triangle from 0 to 1.
+    EXPECT_THAT(notes_from(1.75, 1.9), noted);
+    EXPECT_THAT(notes_from(1.85, 1.9), Not(noted)) << "beside the picture";
 }
 
 TEST(Cameras, WrongValuesAreNamed) {

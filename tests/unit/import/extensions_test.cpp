@@ -61,6 +61,15 @@ TEST(OptionalExtensions, TextureTransformIsListedWhereItIs) {
                     "offset, rotation and scale): materials[0].pbrMetallicRoughness.baseColorTexture"));
 }
 
+TEST(OptionalExtensions, ThatHoldABufferAreNamed) {
+    GltfWriter writer;
+    writer.add_triangle();
+    writer.json["buffers"] = {{{"byteLength", writer.bin.size()}}};
+    writer.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
+    EXPECT_THAT(import_error(writer),
+                AllOf(HasSubstr("buffers[0].uri: missing"), HasSubstr("EXT_meshopt_compression")));
+}
+
 TEST(OptionalExtensions, PropertiesOfExtrasAreNotExtensions) {
     GltfWriter writer;
     writer.add_triangle();

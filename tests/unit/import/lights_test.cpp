@@ -9,6 +9,7 @@ namespace {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 /// Roundings of a few float64 operations on numbers near 1.
 constexpr double kTransformTolerance = 1e-14;
@@ -69,12 +70,24 @@ TEST(Lights, SpotConeAngles) {
     EXPECT_EQ(file.imported().outer_cone_angle, 0.5);
 }
 
+TEST(Lights, SpotConeAnglesAreTakenAsRounded) {
+    LightFile file(Json::object({{"type", "spot"}, {"spot", {{"outerConeAngle", 1.5707963705062866}}}}));
+    EXPECT_EQ(file.imported().outer_cone_angle, std::numbers::pi / 2.0);
+    EXPECT_THAT(file.import().ignored, IsEmpty());
+    // 0.7 and its neighbour in float32.
+    for (const double inner : {0.699999988079071, 0.7000000476837158}) {
+        file.light()["spot"] = {{"innerConeAngle", inner}, {"outerConeAngle", 0.699999988079071}};
+        EXPECT_EQ(file.imported().inner_cone_angle, file.imported().outer_cone_angle);
+        EXPECT_THAT(file.import().ignored, Contains(HasSubstr("hard edge")));
+    }
+}
+
 TEST(Lights, WrongValuesAreNamed) {
     LightFile file(
-        Json::object({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}}}}));
+        Json::object({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.6}, {"outerConeAngle", 0.5}}}}));
     const std::string place = "extensions.KHR_lights_punctual.lights[0].";
     EXPECT_THAT(import_error(file),
-                HasSubstr(place + "spot.innerConeAngle: is 0.5; must be less than outerConeAngle, 0.5"));
+                HasSubstr(place + "spot.innerConeAngle: is 0.6; must be less than outerConeAngle, 0.5"));
     file.light()["spot"] = {{"outerConeAngle", 1.6}};
     EXPECT_THAT(import_error(file),
                 HasSubstr(place + "spot.outerConeAngle: is 1.6; must be a number in (0, 1.57"));

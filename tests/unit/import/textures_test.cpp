@@ -149,5 +149,26 @@ TEST(TextureReferences, MeshWithoutTexcoordsIsListed) {
                 Contains("textures on meshes without TEXCOORD_0 are looked up at (0, 0): nodes[0]"));
 }
 
+/// A PNG of one row of two black texels.
+constexpr std::string_view kBlackPngUri =
+    "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAIAAAB7QOjdAAAAC0lEQVR42mNgAAMAAAcAAS"
+    "Ei2xMAAAAASUVORK5CYII=";
+
+TEST(EmissiveTextures, ThatAreBlackGiveNoLight) {
+    TexturedFile file(Json::object({{"uri", std::string(kBlackPngUri)}}));
+    file.json["materials"] =
+        Json::array({{{"emissiveFactor", {1, 1, 1}}, {"emissiveTexture", {{"index", 0}}}}});
+    const ImportResult black = file.import();
+    EXPECT_EQ(black.scene.materials.at(0).emissive, glm::vec3(0));
+    EXPECT_FALSE(black.scene.materials.at(0).emissive_texture.used());
+    EXPECT_EQ(black.scene.environment, glm::vec3(1));
+    EXPECT_THAT(black.ignored,
+                Contains("emissive textures that are black all over give no light: materials[0]"));
+    file.json["images"][0]["uri"] = kPngUri;
+    const ImportResult coloured = file.import();
+    EXPECT_EQ(coloured.scene.materials.at(0).emissive, glm::vec3(1));
+    EXPECT_EQ(coloured.scene.environment, glm::vec3(0));
+}
+
 }  // namespace
 }  // namespace utsuri::test

@@ -205,7 +205,7 @@ TEST(CheckScene, FindsConesOutOfRange) {
     EXPECT_THAT(with_cone(0.0, static_cast<double>(static_cast<float>(right))), IsEmpty());
     EXPECT_THAT(with_cone(0.0, 1.6), HasSubstr("lights[1].outer_cone_angle"));
     EXPECT_THAT(with_cone(0.0, 0.0), HasSubstr("lights[1].outer_cone_angle"));
-    EXPECT_THAT(with_cone(0.5, 0.5), HasSubstr("lights[1].inner_cone_angle"));
+    EXPECT_THAT(with_cone(0.51, 0.5), HasSubstr("lights[1].inner_cone_angle"));
     EXPECT_THAT(with_cone(-0.1, 0.5), HasSubstr("lights[1].inner_cone_angle"));
 }
 
