@@ -11,6 +11,9 @@ INTEROP_BEGIN
 /// LightMeshNode::split of nodes that are not split.
 INTEROP_CONSTANT LIGHT_MESH_LEAF = 3u;
 
+/// Levels of splits above a leaf, at most. Halving any triangle down to rounding takes fewer.
+INTEROP_CONSTANT LIGHT_MESH_DEPTH = 192u;
+
 /// The roots come first, numbered like BvhTriangle. Of an edge that is split, the corners are counted from
 /// where it begins.
 struct LightMeshNode {

@@ -10,6 +10,7 @@
 #include "image/metrics.h"
 
 #include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -28,6 +29,10 @@ RenderSettings picture_of(std::uint32_t size, bool kept_light) {
     settings.kept_light = kept_light;
     return settings;
 }
+
+/// Off all axes, so that every coordinate is rounded.
+const glm::dmat4 kSlanted =
+    glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(3.3, -1.7, 2.2)), 0.7, glm::dvec3(1, 2, 3));
 
 /// Of the table of albedos, between its entries: lobe_albedo_test.cpp.
 constexpr double kTable = 5e-3;
@@ -64,6 +69,37 @@ Scene matt_room() {
     add(scene, room({-0.5f, 0, -0.5f}, {0.5f, 1, 0.5f}), lambert({0.2f, 0.5f, 0.8f}));
     add(scene, ceiling({0, 2.9f, 0}, 0.5f), emitter(glm::vec3(20)));
     return scene;
+}
+
+/// A tent of four walls and a roof without thickness, on ground that goes on outside in the sun at noon;
+/// turned off all axes.
+Scene tent() {
+    Scene scene;
+    add(scene, ground(4.0f), lambert(glm::vec3(0.5f)));
+    for (const Mesh& wall : {quad({-1, 0, -1}, {2, 0, 0}, {0, 2, 0}), quad({1, 0, -1}, {0, 0, 2}, {0, 2, 0}),
+                             quad({1, 0, 1}, {-2, 0, 0}, {0, 2, 0}), quad({-1, 0, 1}, {0, 0, -2}, {0, 2, 0}),
+                             quad({-1, 2, -1}, {2, 0, 0}, {0, 0, 2})})
+        add(scene, wall, lambert(glm::vec3(0.5f)));
+    Light sun;
+    sun.type = LightType::directional;
+    sun.direction = glm::dvec3(kSlanted * glm::dvec4(0, -1, 0, 0));
+    sun.intensity = glm::vec3(1.0f);
+    scene.lights.push_back(sun);
+    for (Instance& instance : scene.instances)
+        instance.world_from_object = kSlanted;
+    return scene;
+}
+
+// Not even where an edge is drawn a rounding off: along 500 pixels of the line between a wall and the ground,
+// with 16 samples each, some lie on the line by the 1/256 of a pixel that corners are moved.
+TEST_F(KeptLightTraced, ShowsNoLightThatIsBehindAWall) {
+    const auto turned = [](const glm::dvec3& p) { return glm::dvec3(kSlanted * glm::dvec4(p, 1.0)); };
+    for (const glm::dvec3& target : {glm::dvec3(-0.2, 0, -1), glm::dvec3(1, 0, 0.1), glm::dvec3(0.7, 0, 1)}) {
+        const Camera camera = look_at(turned({0.1, 1.2, 0.2}), turned(target), 1.4);
+        const Pictures pictures = render(tent(), camera, "cube-map", picture_of(512, true));
+        for (const glm::vec3& pixel : pictures.whole.pixels)
+            ASSERT_EQ(pixel, glm::vec3(0.0f));
+    }
 }
 
 // Both estimate the same picture, each with the noise of where its samples lie in their pixels. The picture

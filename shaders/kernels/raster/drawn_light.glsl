@@ -42,8 +42,9 @@ Surface drawn_surface() {
 }
 
 /// What the surface's diffuse part would send out if it were white, before anything is lost to a specular lobe.
-vec3 drawn_diffuse_light(Surface surface) {
-    return kept_light(drawn_light_record, drawn_place.xy, surface.front);
+/// @param place_error how far the fragment may be off on its triangle: drawn_place_error()
+vec3 drawn_diffuse_light(Surface surface, vec2 place_error) {
+    return kept_light(drawn_light_record, drawn_place.xy, place_error, surface.front);
 }
 
 /// The glossy lobe's highlights of lights without extent. One is taken by what it would bring, so that noise is only where
@@ -66,26 +67,36 @@ vec3 punctual_highlights(Surface surface, vec3 wo) {
     return taken.value * (reservoir.sum / reservoir.taken);
 }
 
-vec3 drawn_glossy_light(Surface surface, vec3 wo) {
+vec3 drawn_glossy_light(Surface surface, vec3 wo, vec2 place_error) {
     LobeAlbedo albedo = lobe_albedo(surface, dot(surface.ns, wo));
     vec3 normal = specular_reflectance(surface, 1.0);
     vec3 grazing = specular_reflectance(surface, 0.0);
     vec3 radiance = (normal * albedo.constant + grazing * albedo.schlick) * glossy_radiance(surface, wo, drawn_reflection);
-    if (surface.metallic < 1.0) radiance += diffuse_under_lobe(surface, albedo.lost) * drawn_diffuse_light(surface);
+    if (surface.metallic < 1.0) radiance += diffuse_under_lobe(surface, albedo.lost) * drawn_diffuse_light(surface, place_error);
     if (HAS_PUNCTUAL_LIGHTS) radiance += punctual_highlights(surface, wo);
     return radiance;
 }
 
+/// Rasterisers move corners to 1/256 of a pixel: where an edge of a wall hides a floor is known to this share of a pixel.
+const float EDGE_ERROR = 1.0 / 128.0;
+
+/// In barycentric coordinates. Only where all lanes of a quad run: it takes derivatives.
+vec2 drawn_place_error() {
+    return EDGE_ERROR * fwidth(drawn_place.xy);
+}
+
 /// @param wo unit, to the eye
 vec3 drawn_light(vec3 wo, out Surface surface) {
+    vec2 place_error = drawn_place_error();
     if (HAS_GLOSSY && HAS_PUNCTUAL_LIGHTS) {
         // Its shadow rays leave the surface from where rays would hit it.
         surface = make_surface(Hit(0.0, drawn_ids.x, drawn_place.x, drawn_place.y), -wo);
     } else {
         surface = drawn_surface();
     }
-    if (HAS_GLOSSY && is_glossy(surface)) return surface.emission + drawn_glossy_light(surface, wo);
-    return surface.emission + diffuse_reflectance(surface, abs(dot(surface.ns, wo))) * drawn_diffuse_light(surface);
+    if (HAS_GLOSSY && is_glossy(surface)) return surface.emission + drawn_glossy_light(surface, wo, place_error);
+    return surface.emission +
+           diffuse_reflectance(surface, abs(dot(surface.ns, wo))) * drawn_diffuse_light(surface, place_error);
 }
 
 #endif

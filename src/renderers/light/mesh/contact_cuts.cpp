@@ -21,8 +21,8 @@ constexpr double kLeastShare = 1.0 / 32.0;
 /// Leaves whose edges are no longer than this share of the finest distance of points are cut along any line.
 constexpr double kFinestCut = 0.25;
 
-/// Splits above each other: more than halve any triangle down to rounding.
-constexpr std::uint32_t kDeepest = 96;
+/// Cuts above each other: as many levels are left for light.
+constexpr std::uint32_t kMostCuts = interop::LIGHT_MESH_DEPTH / 2;
 
 /// How far a point beside a contact is moved off it: this share of the way to the middle of its leaf, and no
 /// farther than this share of the finest distance.
@@ -50,14 +50,15 @@ class TriangleCuts {
 
     /// @param leaf the whole triangle
     void cut(std::uint32_t leaf) {
-        std::vector<Work> work = {{leaf, 0, {}}};
+        std::vector<Work> work = {{leaf, {}}};
         for (std::uint32_t i = 0; i < segments_.size(); ++i)
             work.front().segments.push_back(i);
         while (!work.empty()) {
             Work next = std::move(work.back());
             work.pop_back();
             const std::optional<Cut> cut =
-                mesh_.is_full() || next.depth == kDeepest ? std::nullopt : find_cut(next);
+                mesh_.can_split(next.leaf) && mesh_.leaves()[next.leaf].depth < kMostCuts ? find_cut(next)
+                                                                                          : std::nullopt;
             if (!cut) {
                 finish(next);
                 continue;
@@ -65,8 +66,8 @@ class TriangleCuts {
             const std::uint32_t child = cut->bisects
                                             ? mesh_.bisect(next.leaf)
                                             : mesh_.split(next.leaf, cut->edge, cut->share, interop::NONE);
-            work.push_back({child, next.depth + 1, next.segments});
-            work.push_back({child + 1, next.depth + 1, std::move(next.segments)});
+            work.push_back({child, next.segments});
+            work.push_back({child + 1, std::move(next.segments)});
         }
     }
 
@@ -74,7 +75,6 @@ class TriangleCuts {
     /// A leaf and the lines that may meet it.
     struct Work {
         std::uint32_t leaf;
-        std::uint32_t depth;
         std::vector<std::uint32_t> segments;
     };
     struct Cut {

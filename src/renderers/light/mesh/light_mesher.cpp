@@ -67,8 +67,8 @@ LightMesher::LightMesher(const SceneData& scene, const MeshSettings& settings)
     cut_at_contacts(mesh_, scene, ContactFinder(scene, kGap * settings.coarsest), settings.finest,
                     settings.most_points);
     for (std::uint32_t leaf = 0; leaf < mesh_.leaves().size() && !mesh_.is_full(); ++leaf) {
-        const MeshLeaf& coarse = mesh_.leaves()[leaf];
-        if (!coarse.split && mesh_.longest_edge(coarse).length > settings_.coarsest) mesh_.bisect(leaf);
+        if (mesh_.can_split(leaf) && mesh_.longest_edge(mesh_.leaves()[leaf]).length > settings_.coarsest)
+            mesh_.bisect(leaf);
     }
     mesh_.close();
     limit_ = std::min(settings.room, mesh_.places().size() + settings.most_points);
@@ -97,8 +97,9 @@ void LightMesher::make_tests() {
     for (; untested_ < mesh_.leaves().size(); ++untested_) {
         const MeshLeaf& leaf = mesh_.leaves()[untested_];
         const MeshTree::LongEdge longest = mesh_.longest_edge(leaf);
-        if (leaf.split || longest.length <= settings_.finest) continue;
-        candidates.push_back({mesh_.area(leaf), static_cast<std::uint32_t>(untested_), longest.edge});
+        const auto number = static_cast<std::uint32_t>(untested_);
+        if (!mesh_.can_split(number) || longest.length <= settings_.finest) continue;
+        candidates.push_back({mesh_.area(leaf), number, longest.edge});
     }
     // Where there is no room to test all, first where most of a picture may be wrong.
     std::stable_sort(candidates.begin(), candidates.end(),

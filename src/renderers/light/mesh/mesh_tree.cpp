@@ -86,6 +86,11 @@ double MeshTree::area(const MeshLeaf& leaf) const {
            glm::length(doubled_area(corners_of(scene_, leaf.triangle)));
 }
 
+bool MeshTree::can_split(std::uint32_t leaf) const {
+    const MeshLeaf& divided = leaves_[leaf];
+    return !divided.split && divided.depth < interop::LIGHT_MESH_DEPTH && !is_full();
+}
+
 std::uint32_t MeshTree::add_point(std::uint32_t triangle, const glm::dvec2& place) {
     places_.push_back({triangle, static_cast<float>(place.x), static_cast<float>(place.y), 0});
     return static_cast<std::uint32_t>(places_.size() - 1);
@@ -139,7 +144,7 @@ std::uint32_t MeshTree::add_child(const MeshLeaf& parent, std::uint32_t node,
                                   const std::array<glm::dvec2, 3>& corners,
                                   const std::array<glm::dvec2, 3>& places) {
     nodes_[node] = {interop::LIGHT_MESH_LEAF, points[0], points[1], points[2]};
-    leaves_.push_back({node, parent.triangle, points, corners, places, false});
+    leaves_.push_back({node, parent.triangle, points, corners, places, parent.depth + 1, false});
     return static_cast<std::uint32_t>(leaves_.size() - 1);
 }
 
@@ -183,7 +188,7 @@ void MeshTree::close() {
     while (!unclosed_.empty()) {
         const std::uint32_t leaf = unclosed_.back();
         unclosed_.pop_back();
-        if (leaves_[leaf].split || is_full()) continue;
+        if (!can_split(leaf)) continue;
         bool has_split_edge = false;
         for (std::uint32_t edge = 0; edge < 3; ++edge) {
             const Edge* known = find_edge(leaves_[leaf], edge);

@@ -24,7 +24,8 @@ struct MeshLeaf {
     /// Where light at the corners is simulated: there, or a little inside the leaf, off what touches it
     /// there.
     std::array<glm::dvec2, 3> places{};
-    bool split = false;  ///< it is a leaf no more
+    std::uint32_t depth = 0;  ///< splits above it
+    bool split = false;       ///< it is a leaf no more
 };
 
 /// The mesh while it grows: leaves are split at their longest edges (Rivara 1984), so that shapes stay good
@@ -50,6 +51,8 @@ class MeshTree {
     [[nodiscard]] LongEdge longest_edge(const MeshLeaf& leaf) const;
     [[nodiscard]] double area(const MeshLeaf& leaf) const;
     [[nodiscard]] bool is_full() const { return places_.size() >= most_points_; }
+    /// Whether it is a leaf and there is room for its children.
+    [[nodiscard]] bool can_split(std::uint32_t leaf) const;
 
     /// The point in the middle of an edge, a new one where there is none; NONE where an end of the edge is
     /// none.
