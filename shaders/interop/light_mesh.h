@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light kept on surfaces: a mesh over each triangle of the scene, with light at its points. A triangle is the
-// root of a binary tree of triangles: a line from a point on an edge of a node to the corner opposite to it
-// makes its two children. On leaves light is linear between their corners. After mesh colors (Yuksel, Keyser
-// and House 2010): no parametrisation of the surface, and points only where something is.
+// root of a tree of triangles. On leaves light is linear between their corners. After mesh colors (Yuksel,
+// Keyser and House 2010): no parametrisation of the surface, and points only where something is.
 #ifndef UTSURI_INTEROP_LIGHT_MESH_H
 #define UTSURI_INTEROP_LIGHT_MESH_H
 #include "interop/prelude.h"
 INTEROP_BEGIN
 
-/// LightMeshNode::split of nodes that are not split.
-INTEROP_CONSTANT LIGHT_MESH_LEAF = 3u;
+/// What LightMeshNode::head holds, from the lowest bits on: one of these kinds, the corner that corners are
+/// counted from, how many times a node is halved, its first child.
+INTEROP_CONSTANT LIGHT_MESH_LEAF = 0u;    ///< the other members are the points at its corners
+INTEROP_CONSTANT LIGHT_MESH_CUT = 1u;     ///< two children: (0, split point, 2) and (split point, 1, 2)
+INTEROP_CONSTANT LIGHT_MESH_HALVED = 2u;  ///< 2^halvings children: halved_child() in kept_light.glsl
+INTEROP_CONSTANT LIGHT_MESH_KIND_BITS = 2u;
+INTEROP_CONSTANT LIGHT_MESH_CORNER_BITS = 2u;
+INTEROP_CONSTANT LIGHT_MESH_HALVINGS_BITS = 4u;
 
-/// Levels of splits above a leaf, at most. Halving any triangle down to rounding takes fewer.
-INTEROP_CONSTANT LIGHT_MESH_DEPTH = 192u;
-
-/// The roots come first, numbered like BvhTriangle. Of an edge that is split, the corners are counted from
-/// where it begins.
+/// The roots come first, numbered like BvhTriangle.
 struct LightMeshNode {
-    uint split;   ///< 0, 1 or 2: the edge from this corner to the next; LIGHT_MESH_LEAF
-    uint first;   ///< child with corners (0, split point, 2); the one after it has (split point, 1, 2).
-                  ///< Leaf: point at its first corner, or NONE where no light is kept
-    uint second;  ///< bits of a float: how far along the edge it is split, in (0, 1). Leaf: point at its
-                  ///< second corner
-    uint third;   ///< 0. Leaf: point at its third corner
+    uint head;
+    uint first;  ///< leaf: point, or NONE where no light is kept; cut: bits of a float, how far along the
+                 ///< edge from corner 0 to 1 it is split, in (0, 1)
+    /// Leaf: points; cut: bits of floats, by how much of the triangle's barycentric coordinates b1 and b2
+    /// differs what tells one child from the other, which lies between -share and 1 - share.
+    uint second;
+    uint third;
 };
 
 /// What a white diffuse surface would send out at a point, in cd/m2: irradiance over pi.

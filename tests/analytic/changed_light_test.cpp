@@ -9,7 +9,6 @@
 #include <glm/ext/matrix_transform.hpp>
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <random>
 #include <set>
@@ -139,27 +138,27 @@ class ChangedLight : public DeviceTest {
 
     /// How a triangle is split and what is kept on it, in the order of its tree.
     static void describe(const LightMesh& mesh, std::uint32_t node, std::vector<float>& description) {
-        const interop::LightMeshNode& n = mesh.nodes[node];
+        const MeshNode& n = mesh.nodes[node];
         description.push_back(static_cast<float>(n.split));
-        if (n.split != interop::LIGHT_MESH_LEAF) {
-            description.push_back(std::bit_cast<float>(n.second));
-            describe(mesh, n.first, description);
-            describe(mesh, n.first + 1, description);
+        if (n.split != kMeshLeaf) {
+            description.push_back(n.share);
+            describe(mesh, n.child, description);
+            describe(mesh, n.child + 1, description);
             return;
         }
-        for (const std::uint32_t p : {n.first, n.second, n.third}) {
+        for (const std::uint32_t p : n.points) {
             if (p == interop::NONE) continue;
             for (const glm::vec3& side : {mesh.points[p].front, mesh.points[p].back})
                 description.insert(description.end(), {side.x, side.y, side.z});
         }
     }
     static void add_points(const LightMesh& mesh, std::uint32_t node, std::set<std::uint32_t>& points) {
-        const interop::LightMeshNode& n = mesh.nodes[node];
-        if (n.split == interop::LIGHT_MESH_LEAF) {
-            points.insert({n.first, n.second, n.third});
+        const MeshNode& n = mesh.nodes[node];
+        if (n.split == kMeshLeaf) {
+            points.insert(n.points.begin(), n.points.end());
         } else {
-            add_points(mesh, n.first, points);
-            add_points(mesh, n.first + 1, points);
+            add_points(mesh, n.child, points);
+            add_points(mesh, n.child + 1, points);
         }
     }
     static std::vector<float> described(const LightMesh& mesh, std::uint32_t triangle) {

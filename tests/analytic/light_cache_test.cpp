@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -45,20 +44,20 @@ Filled fill(Device& device, const Scene& scene, const LightSettings& settings) {
     return filled;
 }
 
-/// Calls visit(corners in scene space, points) for each leaf below a node, as interop/light_mesh.h has them.
+/// Calls visit(corners in scene space, points) for each leaf below a node.
 template <typename Visit>
 void for_each_leaf(const LightMesh& mesh, std::uint32_t node, const Corners& corners, Visit&& visit) {
-    const interop::LightMeshNode& n = mesh.nodes[node];
-    if (n.split == interop::LIGHT_MESH_LEAF) {
-        if (n.first != interop::NONE) visit(corners, std::array{n.first, n.second, n.third});
+    const MeshNode& n = mesh.nodes[node];
+    if (n.split == kMeshLeaf) {
+        if (n.points[0] != interop::NONE) visit(corners, n.points);
         return;
     }
     const glm::dvec3 a = corners[n.split];
     const glm::dvec3 b = corners[(n.split + 1) % 3];
     const glm::dvec3 c = corners[(n.split + 2) % 3];
-    const glm::dvec3 p = glm::mix(a, b, static_cast<double>(std::bit_cast<float>(n.second)));
-    for_each_leaf(mesh, n.first, {a, p, c}, visit);
-    for_each_leaf(mesh, n.first + 1, {p, b, c}, visit);
+    const glm::dvec3 p = glm::mix(a, b, static_cast<double>(n.share));
+    for_each_leaf(mesh, n.child, {a, p, c}, visit);
+    for_each_leaf(mesh, n.child + 1, {p, b, c}, visit);
 }
 
 /// Calls visit(triangle, position in world space, point) for every corner of every leaf.

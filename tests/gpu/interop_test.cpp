@@ -101,7 +101,7 @@ std::map<std::string, HostStruct> host_structs() {
            AT(AovPixel, instance), AT(AovPixel, material), AT(AovPixel, mirror)}}},
         {"LightMeshNode",
          {sizeof(LightMeshNode),
-          {AT(LightMeshNode, split), AT(LightMeshNode, first), AT(LightMeshNode, second),
+          {AT(LightMeshNode, head), AT(LightMeshNode, first), AT(LightMeshNode, second),
            AT(LightMeshNode, third)}}},
         {"LightMeshPoint", {sizeof(LightMeshPoint), {AT(LightMeshPoint, front), AT(LightMeshPoint, back)}}},
         {"LightMeshPlace",

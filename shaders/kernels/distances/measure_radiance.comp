@@ -23,7 +23,7 @@ vec3 radiance_of(MeasuredHit found) {
     if (hit.triangle == NONE) return HAS_ENVIRONMENT ? lights[ENVIRONMENT_LIGHT].intensity : vec3(0.0);
     Surface surface = make_surface(hit, found.direction);
     vec3 albedo = surface.base_colour * (1.0 - surface.metallic);
-    vec3 kept = kept_light(light_record(hit.triangle), vec2(hit.b1, hit.b2), RAY_PLACE_ERROR, surface.front);
+    vec3 kept = kept_light(hit.triangle, vec2(hit.b1, hit.b2), RAY_PLACE_ERROR, surface.front);
     return surface.emission + albedo * kept;
 }
 

@@ -44,7 +44,7 @@ Surface drawn_surface() {
 /// What the surface's diffuse part would send out if it were white, before anything is lost to a specular lobe.
 /// @param place_error how far the fragment may be off on its triangle: drawn_place_error()
 vec3 drawn_diffuse_light(Surface surface, vec2 place_error) {
-    return kept_light(drawn_light_record, drawn_place.xy, place_error, surface.front);
+    return kept_light(drawn_ids.x, drawn_place.xy, place_error, surface.front);
 }
 
 /// The glossy lobe's highlights of lights without extent. One is taken by what it would bring, so that noise is only where

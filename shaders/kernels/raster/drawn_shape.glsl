@@ -5,7 +5,7 @@
 
 #include "kernels/raster/drawn_surface.glsl"
 
-layout(location = 10) DRAWN_FLAT float drawn_curvature;  // radians a metre, least of the edges; on the front, > 0 where convex
-layout(location = 11) DRAWN_FLAT float drawn_horizon;    // sine of how high the reflector rises before the front
+layout(location = 9) DRAWN_FLAT float drawn_curvature;  // radians a metre, least of the edges; on the front, > 0 where convex
+layout(location = 10) DRAWN_FLAT float drawn_horizon;    // sine of how high the reflector rises before the front
 
 #endif

@@ -18,10 +18,9 @@ layout(location = 1) DRAWN vec3 drawn_from_eye;     // position - eye
 layout(location = 2) DRAWN vec3 drawn_normal;       // interpolated, not normalised
 layout(location = 3) DRAWN vec3 drawn_reflection;   // how the map is addressed: see MAP_KIND_ in interop/reflection.h
 layout(location = 4) DRAWN_FLAT uvec4 drawn_ids;    // triangle, material, double-sided; reflector, probe or map
-layout(location = 5) DRAWN_FLAT uvec4 drawn_light_record;
-layout(location = 6) DRAWN_FLAT vec3 drawn_ng;      // unit, on the front
-layout(location = 7) DRAWN_FLAT vec4 drawn_colour;  // base colour, metallic
-layout(location = 8) DRAWN_FLAT vec3 drawn_emissive;
-layout(location = 9) DRAWN_FLAT vec4 drawn_lobe;    // roughness, f0, f90, index of refraction
+layout(location = 5) DRAWN_FLAT vec3 drawn_ng;      // unit, on the front
+layout(location = 6) DRAWN_FLAT vec4 drawn_colour;  // base colour, metallic
+layout(location = 7) DRAWN_FLAT vec3 drawn_emissive;
+layout(location = 8) DRAWN_FLAT vec4 drawn_lobe;    // roughness, f0, f90, index of refraction
 
 #endif

@@ -3,7 +3,6 @@
 #ifndef UTSURI_KERNELS_RASTER_DRAWN_TRIANGLE
 #define UTSURI_KERNELS_RASTER_DRAWN_TRIANGLE
 
-#include "kernels/light/light_records.glsl"
 #include "kernels/raster/drawn_surface.glsl"
 #include "kernels/scene/surface.glsl"
 
@@ -17,7 +16,6 @@ void set_drawn_triangle(uint triangle, vec2 b) {
     drawn_colour = vec4(material.base_colour, material.metallic);
     drawn_emissive = material.emissive;
     drawn_lobe = vec4(material.roughness, material.dielectric_f0, material.dielectric_f90, material.ior);
-    drawn_light_record = light_record(triangle);
     drawn_ids = uvec4(triangle, info.material, material.double_sided, NONE);
     drawn_reflection = vec3(0.0);
 }

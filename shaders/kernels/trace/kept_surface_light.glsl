@@ -10,7 +10,7 @@
 
 vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
                    inout uint rays) {
-    vec3 kept = kept_light(light_record(hit.triangle), vec2(hit.b1, hit.b2), RAY_PLACE_ERROR, surface.front);
+    vec3 kept = kept_light(hit.triangle, vec2(hit.b1, hit.b2), RAY_PLACE_ERROR, surface.front);
     float cos_o = abs(dot(surface.ns, wo));
     if (!HAS_GLOSSY || !is_glossy(surface)) return diffuse_reflectance(surface, cos_o) * kept;
     return diffuse_under_lobe(surface, lost_under_lobe(cos_o)) * kept +

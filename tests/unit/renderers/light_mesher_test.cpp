@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -33,17 +32,17 @@ struct Made {
     std::size_t asked = 0;
 
     void collect(std::uint32_t node, std::uint32_t triangle, const Corners& corners) {
-        const interop::LightMeshNode& n = mesh.nodes[node];
-        if (n.split == interop::LIGHT_MESH_LEAF) {
-            if (n.first != interop::NONE) leaves.push_back({triangle, corners, {n.first, n.second, n.third}});
+        const MeshNode& n = mesh.nodes[node];
+        if (n.split == kMeshLeaf) {
+            if (n.points[0] != interop::NONE) leaves.push_back({triangle, corners, n.points});
             return;
         }
         const glm::dvec3 a = corners[n.split];
         const glm::dvec3 b = corners[(n.split + 1) % 3];
         const glm::dvec3 c = corners[(n.split + 2) % 3];
-        const glm::dvec3 p = glm::mix(a, b, static_cast<double>(std::bit_cast<float>(n.second)));
-        collect(n.first, triangle, {a, p, c});
-        collect(n.first + 1, triangle, {p, b, c});
+        const glm::dvec3 p = glm::mix(a, b, static_cast<double>(n.share));
+        collect(n.child, triangle, {a, p, c});
+        collect(n.child + 1, triangle, {p, b, c});
     }
 };
 

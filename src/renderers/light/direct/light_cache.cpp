@@ -2,6 +2,7 @@
 #include "renderers/light/direct/light_cache.h"
 
 #include "renderers/light/direct/light_simulation.h"
+#include "renderers/light/mesh/packed_mesh.h"
 
 #include "interop/bindings.h"
 
@@ -60,10 +61,10 @@ MeshSettings mesh_settings(const SceneData& data, const LightSettings& settings,
     result.finest = result.coarsest / settings.refinement;
     result.tolerance = settings.tolerance;
     result.most_points = settings.most_points;
-    const std::uint64_t nodes = buffer_bytes / sizeof(interop::LightMeshNode);
+    const std::uint64_t nodes = std::min(kMostPackedNodes, buffer_bytes / sizeof(interop::LightMeshNode));
     const std::uint64_t roots = std::min<std::uint64_t>(nodes, data.triangle_infos.size());
     result.room =
-        std::min(buffer_bytes / sizeof(interop::LightMeshPoint), (nodes - roots) / kMeshNodesPerPoint);
+        std::min(buffer_bytes / sizeof(interop::LightMeshPoint), (nodes - roots) / kPackedNodesPerPoint);
     return result;
 }
 
@@ -127,8 +128,9 @@ void LightCache::simulate(const Told& known, const ChangedSpace& changed, Progre
 }
 
 void LightCache::keep(LightMesh mesh) {
-    Buffer nodes = make_buffer<interop::LightMeshNode>(device_, mesh.nodes, "light mesh");
-    Buffer points = make_buffer<interop::LightMeshPoint>(device_, mesh.points, "light at points");
+    const PackedMesh packed = pack(mesh, static_cast<std::uint32_t>(data_.triangle_infos.size()));
+    Buffer nodes = make_buffer<interop::LightMeshNode>(device_, packed.nodes, "light mesh");
+    Buffer points = make_buffer<interop::LightMeshPoint>(device_, packed.points, "light at points");
     mesh_ = std::move(mesh);
     nodes_ = std::move(nodes);
     points_ = std::move(points);

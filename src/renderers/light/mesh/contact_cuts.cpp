@@ -22,7 +22,7 @@ constexpr double kLeastShare = 1.0 / 32.0;
 constexpr double kFinestCut = 0.25;
 
 /// Cuts above each other: as many levels are left for light.
-constexpr std::uint32_t kMostCuts = interop::LIGHT_MESH_DEPTH / 2;
+constexpr std::uint32_t kMostCuts = kMeshDepth / 2;
 
 /// How far a point beside a contact is moved off it: this share of the way to the middle of its leaf, and no
 /// farther than this share of the finest distance.

@@ -11,18 +11,17 @@ bool same_point(const LightMesh& a, std::uint32_t i, const LightMesh& b, std::ui
     return a.points[i].front == b.points[j].front && a.points[i].back == b.points[j].back;
 }
 
-/// Whether two nodes and all below them keep the same light. Trees are no deeper than their triangles are
-/// finely split: some tens of levels.
+/// Whether two nodes and all below them keep the same light, kMeshDepth levels at most.
 bool same_light(const LightMesh& a, std::uint32_t i, const LightMesh& b, std::uint32_t j) {
-    const interop::LightMeshNode& x = a.nodes[i];
-    const interop::LightMeshNode& y = b.nodes[j];
+    const MeshNode& x = a.nodes[i];
+    const MeshNode& y = b.nodes[j];
     if (x.split != y.split) return false;
-    if (x.split == interop::LIGHT_MESH_LEAF) {
-        return same_point(a, x.first, b, y.first) && same_point(a, x.second, b, y.second) &&
-               same_point(a, x.third, b, y.third);
+    if (x.split == kMeshLeaf) {
+        return same_point(a, x.points[0], b, y.points[0]) && same_point(a, x.points[1], b, y.points[1]) &&
+               same_point(a, x.points[2], b, y.points[2]);
     }
-    return x.second == y.second && same_light(a, x.first, b, y.first) &&
-           same_light(a, x.first + 1, b, y.first + 1);
+    return x.share == y.share && same_light(a, x.child, b, y.child) &&
+           same_light(a, x.child + 1, b, y.child + 1);
 }
 
 }  // namespace

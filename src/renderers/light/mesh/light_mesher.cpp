@@ -2,6 +2,7 @@
 #include "renderers/light/mesh/light_mesher.h"
 
 #include "renderers/light/mesh/contact_cuts.h"
+#include "renderers/light/mesh/packed_mesh.h"
 
 #include "base/check.h"
 
@@ -57,7 +58,7 @@ MeshBytes predict_mesh_bytes(const SceneData& scene, const MeshSettings& setting
     const std::uint64_t points = mesher.places().size();
     const auto bytes = [&](std::uint64_t count) {
         return count * sizeof(interop::LightMeshPoint) +
-               (scene.triangle_infos.size() + kMeshNodesPerPoint * count) * sizeof(interop::LightMeshNode);
+               (scene.triangle_infos.size() + kPackedNodesPerPoint * count) * sizeof(interop::LightMeshNode);
     };
     return {bytes(points), bytes(std::min(points + settings.most_points, settings.room))};
 }
@@ -144,15 +145,15 @@ LightMesh LightMesher::finish() const {
     LightMesh mesh;
     mesh.nodes = mesh_.nodes();
     std::vector<std::uint32_t> numbers(light_.size(), interop::NONE);
-    for (interop::LightMeshNode& node : mesh.nodes) {
-        if (node.split != interop::LIGHT_MESH_LEAF || node.first == interop::NONE) continue;
-        for (std::uint32_t* point : {&node.first, &node.second, &node.third}) {
-            std::uint32_t& number = numbers[*point];
+    for (MeshNode& node : mesh.nodes) {
+        if (node.split != kMeshLeaf || node.points[0] == interop::NONE) continue;
+        for (std::uint32_t& point : node.points) {
+            std::uint32_t& number = numbers[point];
             if (number == interop::NONE) {
                 number = static_cast<std::uint32_t>(mesh.points.size());
-                mesh.points.push_back(light_[*point]);
+                mesh.points.push_back(light_[point]);
             }
-            *point = number;
+            point = number;
         }
     }
     return mesh;

@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <bit>
 
 namespace utsuri {
 namespace {
@@ -31,7 +30,7 @@ double length_over(const Corners& triangle, const glm::dvec2& b) {
 MeshTree::MeshTree(const SceneData& scene, double finest, std::uint64_t most_points)
     : scene_(scene), finest_(finest), most_points_(most_points) {
     const auto triangles = static_cast<std::uint32_t>(scene.triangle_infos.size());
-    nodes_.assign(triangles, {interop::LIGHT_MESH_LEAF, interop::NONE, interop::NONE, interop::NONE});
+    nodes_.resize(triangles);
     std::vector<std::uint32_t> point_of_vertex(scene.normals.size(), interop::NONE);
     for (std::uint32_t t = 0; t < triangles; ++t)
         start(t, point_of_vertex);
@@ -60,7 +59,7 @@ void MeshTree::start(std::uint32_t triangle, std::vector<std::uint32_t>& point_o
         if (shares) shared = point;
         leaf.points[static_cast<std::size_t>(i)] = point;
     }
-    nodes_[triangle] = {interop::LIGHT_MESH_LEAF, leaf.points[0], leaf.points[1], leaf.points[2]};
+    nodes_[triangle].points = leaf.points;
     if (longest_edge(leaf).length <= finest_) return;
     leaves_.push_back(leaf);
     enlist(static_cast<std::uint32_t>(leaves_.size() - 1), interop::NONE);
@@ -88,7 +87,7 @@ double MeshTree::area(const MeshLeaf& leaf) const {
 
 bool MeshTree::can_split(std::uint32_t leaf) const {
     const MeshLeaf& divided = leaves_[leaf];
-    return !divided.split && divided.depth < interop::LIGHT_MESH_DEPTH && !is_full();
+    return !divided.split && divided.depth < kMeshDepth && !is_full();
 }
 
 std::uint32_t MeshTree::add_point(std::uint32_t triangle, const glm::dvec2& place) {
@@ -101,8 +100,7 @@ void MeshTree::set_point(std::uint32_t leaf, std::uint32_t corner, std::uint32_t
     MeshLeaf& changed = leaves_[leaf];
     changed.points[corner] = point;
     changed.places[corner] = place;
-    nodes_[changed.node] = {interop::LIGHT_MESH_LEAF, changed.points[0], changed.points[1],
-                            changed.points[2]};
+    nodes_[changed.node].points = changed.points;
     enlist(leaf, leaf);
 }
 
@@ -143,7 +141,7 @@ std::uint32_t MeshTree::add_child(const MeshLeaf& parent, std::uint32_t node,
                                   const std::array<std::uint32_t, 3>& points,
                                   const std::array<glm::dvec2, 3>& corners,
                                   const std::array<glm::dvec2, 3>& places) {
-    nodes_[node] = {interop::LIGHT_MESH_LEAF, points[0], points[1], points[2]};
+    nodes_[node].points = points;
     leaves_.push_back({node, parent.triangle, points, corners, places, parent.depth + 1, false});
     return static_cast<std::uint32_t>(leaves_.size() - 1);
 }
@@ -165,7 +163,7 @@ std::uint32_t MeshTree::split(std::uint32_t leaf, std::uint32_t edge, float shar
     const glm::dvec2 place = mix(parent.places);
     const auto node = static_cast<std::uint32_t>(nodes_.size());
     nodes_.resize(nodes_.size() + 2);
-    nodes_[parent.node] = {edge, node, std::bit_cast<std::uint32_t>(share), 0};
+    nodes_[parent.node] = {edge, {}, share, node};
     const std::uint32_t first = add_child(parent, node, {parent.points[at[0]], point, parent.points[at[2]]},
                                           {parent.corners[at[0]], corner, parent.corners[at[2]]},
                                           {parent.places[at[0]], place, parent.places[at[2]]});

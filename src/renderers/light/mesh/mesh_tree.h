@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/light/mesh/light_mesh.h"
 #include "renderers/scene/scene_data.h"
 
 #include "interop/light_mesh.h"
@@ -38,7 +39,7 @@ class MeshTree {
     /// @param most_points that there is room for: nothing is split after
     MeshTree(const SceneData& scene, double finest, std::uint64_t most_points);
 
-    [[nodiscard]] const std::vector<interop::LightMeshNode>& nodes() const { return nodes_; }
+    [[nodiscard]] const std::vector<MeshNode>& nodes() const { return nodes_; }
     [[nodiscard]] const std::vector<interop::LightMeshPlace>& places() const { return places_; }
     /// Leaves with an edge longer than the finest, and those made of them.
     [[nodiscard]] const std::vector<MeshLeaf>& leaves() const { return leaves_; }
@@ -91,7 +92,7 @@ class MeshTree {
     const SceneData& scene_;
     double finest_;
     std::uint64_t most_points_;
-    std::vector<interop::LightMeshNode> nodes_;
+    std::vector<MeshNode> nodes_;
     std::vector<interop::LightMeshPlace> places_;
     std::vector<MeshLeaf> leaves_;
     std::unordered_map<std::uint64_t, Edge> edges_;
