@@ -61,7 +61,8 @@ class DrawnFrames : public DeviceTest {
         bindings.merge(glossy_maps.bindings());
         bindings[interop::BINDING_PROXY_PLANES] = &plane_buffer;
         bindings[interop::BINDING_FRAME] = &frame;
-        FrameDrawer drawer(device(), data, gpu_scene.specialization(), bindings, nullptr, kWidth, kHeight);
+        FrameDrawer drawer(device(), data, MapKind::cube, gpu_scene.specialization(), bindings, nullptr,
+                           kWidth, kHeight);
         drawer.warm_up();
         const auto info = make_camera_info(camera, data.origin, kWidth, kHeight);
         interop::FrameInfo shared = frame_info(data, kWidth, kHeight);

@@ -16,7 +16,7 @@ vec3 hybrid_light(Surface surface, vec3 wo, uint reflections, out float state) {
     if (look_up(surface, wo, reflected)) {
         state = found_in_map(reflections);
     } else if (reflections < frame.max_depth) {
-        TracedReflection traced = trace_reflection(surface, wo, reflections);
+        TracedReflection traced = trace_reflection(wo, reflections);
         reflected = traced.radiance;
         state = found_by_rays(reflections, traced.rays, traced.cut);
     } else {

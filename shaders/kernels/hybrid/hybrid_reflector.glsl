@@ -4,13 +4,13 @@
 #define UTSURI_KERNELS_HYBRID_HYBRID_REFLECTOR
 
 #include "kernels/hybrid/hybrid_light.glsl"
-#include "kernels/raster/drawn_light.glsl"
+#include "kernels/hybrid/traced_lobe.glsl"
 
 void draw_hybrid_reflector() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface;
-    vec3 radiance = drawn_light(wo, surface);
     float state = DRAWN_PLAIN;
+    vec3 radiance = drawn_light(wo, 0u, surface, state);
     if (is_mirror(surface)) radiance += hybrid_light(surface, wo, 0u, state);
     drawn = vec4(radiance, state);
 }

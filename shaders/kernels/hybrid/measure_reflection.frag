@@ -4,7 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/hybrid/drawn_prediction.glsl"
-#include "kernels/raster/drawn_light.glsl"
+#include "kernels/raster/shown_surface.glsl"
 
 /// @param point where the mirrored ray meets `triangle`
 bool is_seen_from_capture_point(vec3 capture_point, uint instance, vec3 point, uint triangle) {

@@ -4,7 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/hybrid/drawn_prediction.glsl"
-#include "kernels/raster/drawn_light.glsl"
+#include "kernels/raster/shown_surface.glsl"
 
 void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);

@@ -3,8 +3,7 @@
 #ifndef UTSURI_KERNELS_HYBRID_TRACED_REFLECTION
 #define UTSURI_KERNELS_HYBRID_TRACED_REFLECTION
 
-#include "kernels/raster/drawn_surface.glsl"
-#include "kernels/raster/view.glsl"
+#include "kernels/raster/shown_surface.glsl"
 #include "kernels/trace/kept_surface_light.glsl"
 
 struct TracedReflection {
@@ -13,15 +12,18 @@ struct TracedReflection {
     bool cut;   ///< at the max depth
 };
 
+uint drawn_sampler_key() {
+    return sampler_key(uvec2(gl_FragCoord.xy), frame.seed, frame.sample_index & 1u);
+}
+
 /// @param reflections that lie between the surface and the eye, less than frame.max_depth
-TracedReflection trace_reflection(Surface seen, vec3 wo, uint reflections) {
-    // A ray leaves the surface from where rays would hit it.
-    Surface surface = make_surface(Hit(0.0, seen.triangle, drawn_place.x, drawn_place.y), -wo);
+TracedReflection trace_reflection(vec3 wo, uint reflections) {
+    Surface surface = hit_surface(wo);
     vec3 wi = mirror_direction(surface, wo);
     Counters totals = Counters(0u, 0u, 0u, 0u, 0u, 0u);
-    uint key = sampler_key(uvec2(gl_FragCoord.xy), frame.seed, frame.sample_index & 1u);
     Ray ray = make_ray(leave_surface(surface, wi), wi, surface.triangle, NONE);
-    vec3 radiance = follow_chain(ray, reflections + 1u, frame.max_depth, key, frame.sample_index >> 1, totals);
+    vec3 radiance = follow_chain(start_chain(ray, reflections + 1u), frame.max_depth, drawn_sampler_key(),
+                                 frame.sample_index >> 1, totals);
     return TracedReflection(radiance, totals.rays, totals.truncated > 0u);
 }
 

@@ -3,8 +3,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/planar/mirrored_pixel.glsl"
-#include "kernels/raster/drawn_light.glsl"
 #include "kernels/raster/map_lookup.glsl"
+#include "kernels/raster/mapped_lobe.glsl"
 #include "lib/lobes/mirror.glsl"
 
 layout(location = 1) out vec4 drawn_throughput;
@@ -13,8 +13,8 @@ void main() {
     if (!waits_for_this_view()) discard;
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface;
-    vec3 radiance = drawn_light(wo, surface);
     float state = complete_after(view.reflections);
+    vec3 radiance = drawn_light(wo, view.reflections, surface, state);
     if (is_mirror(surface)) {
         state = found_in_map(view.reflections);
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *

@@ -5,8 +5,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/hybrid/hybrid_light.glsl"
 #include "kernels/hybrid/look_up_by_place.glsl"
+#include "kernels/hybrid/traced_lobe.glsl"
 #include "kernels/planar/mirrored_pixel.glsl"
-#include "kernels/raster/drawn_light.glsl"
 
 layout(location = 1) out vec4 drawn_throughput;
 
@@ -14,8 +14,8 @@ void main() {
     if (!waits_for_this_view()) discard;
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface;
-    vec3 radiance = drawn_light(wo, surface);
     float state = complete_after(view.reflections);
+    vec3 radiance = drawn_light(wo, view.reflections, surface, state);
     if (is_mirror(surface)) radiance += hybrid_light(surface, wo, view.reflections, state);
     drawn = with_light(radiance, state);
     drawn_throughput = vec4(0.0);

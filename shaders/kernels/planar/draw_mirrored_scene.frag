@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a pixel of a view shows of a surface that is no mirror.
+// What a pixel of a view shows of a surface that is no mirror, its glossy lobe looked up.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/planar/mirrored_pixel.glsl"
-#include "kernels/raster/drawn_light.glsl"
-
-layout(location = 1) out vec4 drawn_throughput;
+#include "kernels/planar/mirrored_scene.glsl"
+#include "kernels/raster/mapped_lobe.glsl"
 
 void main() {
-    if (!waits_for_this_view()) discard;
-    Surface surface;
-    drawn = with_light(drawn_light(-normalize_any_scale(drawn_from_eye), surface), complete_after(view.reflections));
-    drawn_throughput = vec4(0.0);
+    draw_mirrored_scene();
 }

@@ -2,15 +2,15 @@
 // What a pixel of a reflector shows.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/raster/drawn_light.glsl"
 #include "kernels/raster/map_lookup.glsl"
+#include "kernels/raster/mapped_lobe.glsl"
 #include "lib/lobes/mirror.glsl"
 
 void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface;
-    vec3 radiance = drawn_light(wo, surface);
     float state = DRAWN_PLAIN;
+    vec3 radiance = drawn_light(wo, 0u, surface, state);
     if (is_mirror(surface)) {
         state = DRAWN_LOOKED_UP;
         radiance += specular_reflectance(surface, abs(dot(surface.ns, wo))) *

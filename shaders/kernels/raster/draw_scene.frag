@@ -2,9 +2,11 @@
 // What a pixel of a surface that is no mirror shows.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/raster/drawn_light.glsl"
+#include "kernels/raster/mapped_lobe.glsl"
 
 void main() {
     Surface surface;
-    drawn = vec4(drawn_light(-normalize_any_scale(drawn_from_eye), surface), DRAWN_PLAIN);
+    float state = DRAWN_PLAIN;
+    vec3 radiance = drawn_light(-normalize_any_scale(drawn_from_eye), 0u, surface, state);
+    drawn = vec4(radiance, state);
 }

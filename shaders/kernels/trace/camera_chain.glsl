@@ -7,7 +7,8 @@
 #include "kernels/trace/specular_chain.glsl"
 
 vec3 sample_radiance(vec3 origin, vec3 direction, uint key, uint index, inout Counters totals) {
-    return follow_chain(make_ray(origin, direction, NONE, push.excluded_instance), 0u, push.max_depth, key, index, totals);
+    Ray ray = make_ray(origin, direction, NONE, push.excluded_instance);
+    return follow_chain(start_chain(ray, 0u), push.max_depth, key, index, totals);
 }
 
 #endif

@@ -12,15 +12,29 @@
 vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
                    inout uint rays);
 
-/// @param first_depth reflections that the ray already has behind it
+/// A ray and what it brings along.
+struct Chain {
+    Ray ray;
+    uint depth;       ///< reflections that it has behind it
+    vec3 throughput;  ///< of them
+    bool by_lobe;     ///< whether the last one was by a glossy lobe
+    LobeSample lobe;  ///< in which it chose this direction
+    Receiver left;    ///< from where
+};
+
+Chain start_chain(Ray ray, uint depth) {
+    return Chain(ray, depth, vec3(1.0), false, LobeSample(vec3(0.0), vec3(0.0), 0.0), Receiver(vec3(0.0), vec3(0.0)));
+}
+
 /// @param max_depth reflections after which a chain is cut
-vec3 follow_chain(Ray ray, uint first_depth, uint max_depth, uint key, uint index, inout Counters totals) {
+vec3 follow_chain(Chain chain, uint max_depth, uint key, uint index, inout Counters totals) {
     vec3 radiance = vec3(0.0);
-    vec3 throughput = vec3(1.0);
-    bool by_lobe = false;
-    LobeSample lobe;
-    Receiver left;
-    for (uint depth = first_depth;; ++depth) {
+    Ray ray = chain.ray;
+    vec3 throughput = chain.throughput;
+    bool by_lobe = chain.by_lobe;
+    LobeSample lobe = chain.lobe;
+    Receiver left = chain.left;
+    for (uint depth = chain.depth;; ++depth) {
         totals.rays += 1u;
         Hit hit = closest_hit(ray);
         float weight = HAS_GLOSSY && by_lobe ? mis_weight(lobe, left, hit) : 1.0;

@@ -24,7 +24,7 @@ MappedView::MappedView(Device& device, const SceneData& data, const PreparedMaps
       settings_(settings),
       map_settings_(map_settings),
       reflectors_(make_reflectors()),
-      drawer_(device, data, maps.specialization(), maps.bindings(), reflectors_.get(), settings.width,
+      drawer_(device, data, kind, maps.specialization(), maps.bindings(), reflectors_.get(), settings.width,
               settings.height) {}
 
 std::unique_ptr<ReflectorDrawer> MappedView::make_reflectors() const {

@@ -18,6 +18,8 @@ namespace {
 
 GlossyMapPlan placed(const Device& device, const SceneData& data, const GlossyMapSettings& settings,
                      std::vector<interop::ProxyPlane>& proxy_planes) {
+    // Lobes are traced: traced_lobe.glsl.
+    if (settings.kind == MapKind::hybrid) return {};
     const std::vector<std::uint32_t>& rough = data.requirements.glossy_instances;
     const std::vector<Probe> probes =
         place_probes(data, rough, settings.kind, {settings.most_probes, settings.capture_point});

@@ -14,6 +14,8 @@
 #include "kernels/draw_mirrored_depth_vert.h"
 #include "kernels/draw_mirrored_environment_frag.h"
 #include "kernels/draw_mirrored_hybrid_frag.h"
+#include "kernels/draw_mirrored_hybrid_mirror_frag.h"
+#include "kernels/draw_mirrored_hybrid_scene_frag.h"
 #include "kernels/draw_mirrored_mirror_frag.h"
 #include "kernels/draw_mirrored_scene_frag.h"
 #include "kernels/draw_mirrored_traced_mirror_frag.h"
@@ -24,12 +26,6 @@
 
 namespace utsuri {
 namespace {
-
-/// Of what may be reflected: rays meet surfaces of all kinds.
-Specialization reflecting(const Specialization& specialization, const SurfaceFeatures& features,
-                          MapKind kind) {
-    return kind == MapKind::hybrid ? specialization : with_features(specialization, features);
-}
 
 Specialization with_faces(Specialization specialization, std::size_t faces) {
     specialization[interop::SPEC_FACE_COUNT] = static_cast<std::uint32_t>(faces);
@@ -54,30 +50,36 @@ MirroredViewDrawer::MirroredViewDrawer(Device& device, const SceneData& data, Mi
       listed_reflectors_(
           make_buffer<std::uint32_t>(device, triangles_.reflectors, "reflectors of the draw list")),
       eye_depth_(make_pass("draw_depth", kernels::draw_depth_vert, {}, DepthTest::nearer, {}, bindings)) {
+    using Stage = std::span<const std::uint32_t>;
     for (const DrawBatch& batch : triangles_.batches) {
+        const bool traces_lobe = traces_lobes(kind, batch.features);
+        const Stage fragment = traces_lobe ? Stage(kernels::draw_mirrored_hybrid_scene_frag)
+                                           : Stage(kernels::draw_mirrored_scene_frag);
         batches_.push_back(
-            {make_pass("draw_mirrored_scene", kernels::draw_scene_vert, kernels::draw_mirrored_scene_frag,
-                       DepthTest::equal, with_features(specialization, batch.features), bindings),
+            {make_pass("draw_mirrored_scene", kernels::draw_scene_vert, fragment, DepthTest::equal,
+                       drawing_constants(specialization, batch.features, traces_lobe), bindings),
              {batch.first, batch.count}});
     }
     const bool traces = kind == MapKind::hybrid;
     if (triangles_.curved.count > 0) {
-        using Stage = std::span<const std::uint32_t>;
         const Stage vertex =
             traces ? Stage(kernels::draw_predicted_curved_vert) : Stage(kernels::draw_curved_vert);
         const Stage fragment =
             traces ? Stage(kernels::draw_mirrored_hybrid_frag) : Stage(kernels::draw_mirrored_curved_frag);
-        curved_.emplace(
-            make_pass("draw_mirrored_curved", vertex, fragment, DepthTest::equal,
-                      with_faces(reflecting(specialization, triangles_.curved_features, kind), faces.size()),
-                      bindings));
+        curved_.emplace(make_pass(
+            "draw_mirrored_curved", vertex, fragment, DepthTest::equal,
+            with_faces(drawing_constants(specialization, triangles_.curved_features, traces), faces.size()),
+            bindings));
     }
     if (triangles_.mirrors.empty()) return;
     view_depth_.emplace(make_pass("draw_mirrored_depth", kernels::draw_mirrored_depth_vert,
                                   kernels::draw_mirrored_depth_frag, DepthTest::nearer, {}, bindings));
-    mirrors_.emplace(make_pass("draw_mirrored_mirror", kernels::draw_scene_vert,
-                               kernels::draw_mirrored_mirror_frag, DepthTest::equal,
-                               with_features(specialization, triangles_.mirror_features), bindings));
+    const bool traces_lobe = traces_lobes(kind, triangles_.mirror_features);
+    const Stage mirror = traces_lobe ? Stage(kernels::draw_mirrored_hybrid_mirror_frag)
+                                     : Stage(kernels::draw_mirrored_mirror_frag);
+    mirrors_.emplace(make_pass("draw_mirrored_mirror", kernels::draw_scene_vert, mirror, DepthTest::equal,
+                               drawing_constants(specialization, triangles_.mirror_features, traces_lobe),
+                               bindings));
     if (traces) {
         traced_mirrors_.emplace(make_pass("draw_mirrored_traced_mirror", kernels::draw_scene_vert,
                                           kernels::draw_mirrored_traced_mirror_frag, DepthTest::equal,

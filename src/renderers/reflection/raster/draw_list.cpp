@@ -20,4 +20,12 @@ DrawList plan_draws(const SceneData& scene) {
     return list;
 }
 
+bool traces_lobes(MapKind kind, const SurfaceFeatures& features) {
+    return kind == MapKind::hybrid && features.glossy;
+}
+
+Specialization drawing_constants(const Specialization& scene, const SurfaceFeatures& features, bool traces) {
+    return traces ? scene : with_features(scene, features);
+}
+
 }  // namespace utsuri

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/reflection/reflectors/map_kind.h"
+#include "renderers/scene/scene_constants.h"
 #include "renderers/scene/scene_data.h"
 
 #include <cstdint>
@@ -23,5 +25,12 @@ struct DrawList {
 };
 
 DrawList plan_draws(const SceneData& scene);
+
+/// Whether glossy lobes of surfaces are traced, not looked up in maps.
+bool traces_lobes(MapKind kind, const SurfaceFeatures& features);
+
+/// What a pipeline is told that draws surfaces with these features.
+/// @param traces whether it sends rays, which meet surfaces of all kinds
+Specialization drawing_constants(const Specialization& scene, const SurfaceFeatures& features, bool traces);
 
 }  // namespace utsuri

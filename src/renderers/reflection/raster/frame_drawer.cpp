@@ -7,16 +7,19 @@
 #include "interop/bindings.h"
 #include "interop/specialization.h"
 #include "kernels/draw_depth_vert.h"
+#include "kernels/draw_hybrid_scene_frag.h"
 #include "kernels/draw_scene_frag.h"
 #include "kernels/draw_scene_vert.h"
 
 namespace utsuri {
-FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
-                         const Bindings& bindings, const ReflectorDrawer* reflectors, std::uint32_t width,
-                         std::uint32_t height)
-    : FrameDrawer(device, data, plan_draws(data), specialization, bindings, reflectors, width, height) {}
 
-FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& list,
+FrameDrawer::FrameDrawer(Device& device, const SceneData& data, MapKind kind,
+                         const Specialization& specialization, const Bindings& bindings,
+                         const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height)
+    : FrameDrawer(device, data, plan_draws(data), kind, specialization, bindings, reflectors, width, height) {
+}
+
+FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& list, MapKind kind,
                          const Specialization& specialization, const Bindings& bindings,
                          const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height)
     : device_(require_graphics(device)),
@@ -29,21 +32,24 @@ FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& 
       triangle_count_(static_cast<std::uint32_t>(list.triangles.size())),
       depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::ViewPush)),
       depth_bindings_(depth_pass_.bind(with_draw_list(bindings))),
-      batches_(make_batches(list.batches, specialization, bindings)) {}
+      batches_(make_batches(list.batches, kind, specialization, bindings)) {}
 
 Bindings FrameDrawer::with_draw_list(Bindings bindings) const {
     bindings[interop::BINDING_DRAW_LIST] = &triangles_;
     return bindings;
 }
 
-std::vector<FrameDrawer::Batch> FrameDrawer::make_batches(const std::vector<DrawBatch>& planned,
+std::vector<FrameDrawer::Batch> FrameDrawer::make_batches(const std::vector<DrawBatch>& planned, MapKind kind,
                                                           const Specialization& specialization,
                                                           const Bindings& bindings) {
     std::vector<Batch> batches;
     for (const DrawBatch& batch : planned) {
-        RasterPipeline pipeline(device_, "draw_scene", kernels::draw_scene_vert, kernels::draw_scene_frag,
-                                with_features(specialization, batch.features), sizeof(interop::ViewPush),
-                                DepthState{DepthTest::equal, 0.0f});
+        const bool traces = traces_lobes(kind, batch.features);
+        const auto fragment = traces ? std::span<const std::uint32_t>(kernels::draw_hybrid_scene_frag)
+                                     : std::span<const std::uint32_t>(kernels::draw_scene_frag);
+        RasterPipeline pipeline(device_, "draw_scene", kernels::draw_scene_vert, fragment,
+                                drawing_constants(specialization, batch.features, traces),
+                                sizeof(interop::ViewPush), DepthState{DepthTest::equal, 0.0f});
         BindingSet set = pipeline.bind(with_draw_list(bindings));
         batches.push_back({std::move(pipeline), std::move(set), batch.first, batch.count});
     }

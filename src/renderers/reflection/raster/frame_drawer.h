@@ -19,9 +19,10 @@ namespace utsuri {
 class FrameDrawer {
   public:
     /// @param bindings of scene, kept light, maps and BINDING_FRAME, which must outlive this
+    /// @param kind how reflections are looked up, those of glossy lobes included
     /// @param reflectors draws what is reflective; none if nothing is; must outlive this
     /// @throws DeviceError if the device cannot draw pictures of this size
-    FrameDrawer(Device& device, const SceneData& data, const Specialization& specialization,
+    FrameDrawer(Device& device, const SceneData& data, MapKind kind, const Specialization& specialization,
                 const Bindings& bindings, const ReflectorDrawer* reflectors, std::uint32_t width,
                 std::uint32_t height);
 
@@ -44,11 +45,11 @@ class FrameDrawer {
         std::uint32_t count;
     };
 
-    FrameDrawer(Device& device, const SceneData& data, const DrawList& list,
+    FrameDrawer(Device& device, const SceneData& data, const DrawList& list, MapKind kind,
                 const Specialization& specialization, const Bindings& bindings,
                 const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height);
     [[nodiscard]] Bindings with_draw_list(Bindings bindings) const;
-    std::vector<Batch> make_batches(const std::vector<DrawBatch>& planned,
+    std::vector<Batch> make_batches(const std::vector<DrawBatch>& planned, MapKind kind,
                                     const Specialization& specialization, const Bindings& bindings);
 
     Device& device_;
