@@ -8,13 +8,15 @@
 #include "kernels/scene/direct_light.glsl"
 #include "kernels/trace/specular_chain.glsl"
 
-vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
-                   inout uint rays) {
+vec3 surface_light(Surface surface, Hit hit, vec3 wo, vec3 throughput, uint key, uint index, uint dimension,
+                   uint excluded_instance, inout uint rays) {
     vec3 kept = kept_light(hit.triangle, vec2(hit.b1, hit.b2), RAY_PLACE_ERROR, surface.front);
     float cos_o = abs(dot(surface.ns, wo));
     if (!HAS_GLOSSY || !is_glossy(surface)) return diffuse_reflectance(surface, cos_o) * kept;
-    return diffuse_under_lobe(surface, lost_under_lobe(cos_o)) * kept +
-           direct_light(surface, wo, 1u << LOBE_GLOSSY, key, index, dimension, excluded_instance, rays);
+    vec3 radiance = diffuse_under_lobe(surface, lost_under_lobe(cos_o)) * kept;
+    float chance = survival(throughput * specular_reflectance(surface, cos_o));
+    if (sample_2d(key, index, dimension + 3u).y >= chance) return radiance;
+    return radiance + direct_light(surface, wo, 1u << LOBE_GLOSSY, key, index, dimension, excluded_instance, rays) / chance;
 }
 
 #endif

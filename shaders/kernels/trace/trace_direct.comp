@@ -4,8 +4,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "kernels/trace/camera_chain.glsl"
 
-vec3 surface_light(Surface surface, Hit hit, vec3 wo, uint key, uint index, uint dimension, uint excluded_instance,
-                   inout uint rays) {
+vec3 surface_light(Surface surface, Hit hit, vec3 wo, vec3 throughput, uint key, uint index, uint dimension,
+                   uint excluded_instance, inout uint rays) {
     return direct_light(surface, wo, WIDE_LOBES, key, index, dimension, excluded_instance, rays);
 }
 
