@@ -54,12 +54,32 @@ double texel_angle(MapKind kind, const std::vector<interop::MapFace>& faces) {
     return std::numbers::sqrt2 * most;
 }
 
-std::vector<std::uint32_t> map_sizes(const SceneData& data, const Reflectors& reflectors,
-                                     const std::vector<Probe>& probes, MapKind kind,
-                                     const std::vector<interop::MapFace>& faces, const MapSettings& settings,
-                                     const MapView& view) {
-    if (!settings.fitted) return std::vector<std::uint32_t>(probes.size(), settings.size);
-    return fit_map_sizes(data, reflectors, probes, kind, view, texel_angle(kind, faces), settings.size);
+std::uint64_t texels_of(const std::vector<std::uint32_t>& sizes, std::size_t maps_per_probe) {
+    std::uint64_t texels = 0;
+    for (const std::uint32_t size : sizes)
+        texels += maps_per_probe * texels_per_map(size);
+    return texels;
+}
+
+std::vector<std::uint32_t> map_sizes(const Device& device, const SceneData& data,
+                                     const Reflectors& reflectors, const std::vector<Probe>& probes,
+                                     MapKind kind, const std::vector<interop::MapFace>& faces,
+                                     const MapSettings& settings, const MapView& view) {
+    const auto fitted = [&] {
+        return fit_map_sizes(data, reflectors, probes, kind, view, texel_angle(kind, faces), settings.size);
+    };
+    if (settings.fitted) return fitted();
+    std::vector<std::uint32_t> sizes(probes.size(), settings.size);
+    if (kind != MapKind::hybrid) return sizes;
+    // Where the maps of many reflectors do not fit, `hybrid` shares the room out by what pixels need, and
+    // traces what is too coarse.
+    const std::uint64_t room = device.summary().storage_range_bytes / sizeof(glm::vec3);
+    if (texels_of(sizes, faces.size()) > room) sizes = fitted();
+    while (texels_of(sizes, faces.size()) > room && *std::max_element(sizes.begin(), sizes.end()) > 1) {
+        for (std::uint32_t& size : sizes)
+            size = std::max(1u, size / 2);
+    }
+    return sizes;
 }
 
 std::vector<interop::ProbeInfo> describe_probes(const SceneData& data, const Reflectors& reflectors,
@@ -140,7 +160,7 @@ ReflectionMaps::ReflectionMaps(Device& device, const SceneData& data, MapKind ki
       probes_(
           place_probes(data, reflectors_.instances, kind, {settings.most_probes, settings.capture_point})),
       infos_(describe_probes(data, reflectors_, probes_, kind, maps_per_probe(), settings,
-                             map_sizes(data, reflectors_, probes_, kind, faces_, settings, view),
+                             map_sizes(device, data, reflectors_, probes_, kind, faces_, settings, view),
                              proxy_planes)),
       info_buffer_(make_buffer<interop::ProbeInfo>(device, infos_, "probes")),
       face_block_(make_face_block(device, faces_)),
