@@ -38,7 +38,7 @@ MirroredViewDrawer::MirroredViewDrawer(Device& device, const SceneData& data, co
                                        const Reflectors& curved, MapKind kind,
                                        const std::vector<interop::MapFace>& faces,
                                        const Specialization& specialization, const Bindings& bindings)
-    : MirroredViewDrawer(device, data, list_mirrored_view_triangles(data, mirrors, curved), kind, faces,
+    : MirroredViewDrawer(device, data, list_mirrored_view_triangles(data, mirrors, curved, kind), kind, faces,
                          specialization, bindings) {}
 
 MirroredViewDrawer::MirroredViewDrawer(Device& device, const SceneData& data, MirroredViewTriangles triangles,

@@ -5,10 +5,11 @@
 
 namespace utsuri {
 
-DrawList plan_draws(const SceneData& scene) {
+DrawList plan_draws(const SceneData& scene, MapKind kind) {
     std::map<SurfaceFeatures, std::vector<std::uint32_t>> groups;
     for (std::uint32_t t = 0; t < scene.triangle_infos.size(); ++t) {
-        const SurfaceFeatures& features = scene.requirements.surfaces[scene.triangle_infos[t].material];
+        SurfaceFeatures features = scene.requirements.surfaces[scene.triangle_infos[t].material];
+        features.textured = features.textured || traces_lobes(kind, features);
         if (!features.mirror) groups[features].push_back(t);
     }
     DrawList list;

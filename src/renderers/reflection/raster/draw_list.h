@@ -24,7 +24,8 @@ struct DrawList {
     std::vector<DrawBatch> batches;
 };
 
-DrawList plan_draws(const SceneData& scene);
+/// @param kind of map; where it traces glossy lobes they are one group, as rays meet textures anyway
+DrawList plan_draws(const SceneData& scene, MapKind kind);
 
 /// Whether glossy lobes of surfaces are traced, not looked up in maps.
 bool traces_lobes(MapKind kind, const SurfaceFeatures& features);

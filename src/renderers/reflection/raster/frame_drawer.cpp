@@ -16,8 +16,8 @@ namespace utsuri {
 FrameDrawer::FrameDrawer(Device& device, const SceneData& data, MapKind kind,
                          const Specialization& specialization, const Bindings& bindings,
                          const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height)
-    : FrameDrawer(device, data, plan_draws(data), kind, specialization, bindings, reflectors, width, height) {
-}
+    : FrameDrawer(device, data, plan_draws(data, kind), kind, specialization, bindings, reflectors, width,
+                  height) {}
 
 FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& list, MapKind kind,
                          const Specialization& specialization, const Bindings& bindings,
