@@ -21,7 +21,8 @@ vec3 lobe_light(Surface seen, vec3 wo, uint reflections, inout float state) {
         Chain chain = Chain(ray, reflections + 1u, lobe.throughput, true, lobe, receiver_of(surface));
         radiance += follow_chain(chain, frame.max_depth, key, index, totals);
     }
-    state = found_by_rays(reflections, totals.rays, totals.truncated > 0u);
+    // It needs none where no light and no part of the lobe is above the surface.
+    if (totals.rays > 0u) state = found_by_rays(reflections, totals.rays, totals.truncated > 0u);
     return radiance;
 }
 
