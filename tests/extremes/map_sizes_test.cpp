@@ -87,5 +87,32 @@ TEST_F(MapSizes, LargestThatFitsIsRendered) {
     expect_uniform(MapKind::cube, std::min(kLargest, edge - 2));
 }
 
+// At a size of which no buffer of this device holds a hundred, `hybrid` makes smaller ones, and the picture
+// is what it is by rays: uniform. Other methods would show less than they were asked for: they refuse.
+TEST_F(MapSizes, OfManyReflectorsAreSharedOutByHybrid) {
+    Scene scene;
+    scene.environment = glm::vec3(kRadiance);
+    for (int i = 0; i < 100; ++i)
+        add(scene, icosphere(glm::vec3(i % 10, 0, i / 10), 0.4f, 1), mirror());
+    const SceneData data = prepare_scene_data(scene);
+    const std::uint64_t map_bytes =
+        device().summary().storage_range_bytes / 100 / interop::CUBE_FACES;  // of each that would just fit
+    const auto size = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(map_bytes) / 12.0));
+    if (size > kLargest) GTEST_SKIP() << "the device holds a hundred maps of any size";
+    EXPECT_NE(refusal(data, MapKind::cube, size), std::nullopt);
+    ASSERT_EQ(refusal(data, MapKind::hybrid, size), std::nullopt);
+    std::vector<interop::ProxyPlane> planes;
+    const ReflectionMaps maps(device(), data, MapKind::hybrid, settings(size), MapView(), planes);
+    EXPECT_TRUE(std::any_of(maps.infos().begin(), maps.infos().end(),
+                            [&](const interop::ProbeInfo& probe) { return probe.map_size < size; }));
+    const Camera camera = look_at(glm::dvec3(4.5, 6, 16), glm::dvec3(4.5, 0, 4.5));
+    const Traced result =
+        render_with_maps(device(), scene, camera, {24, 16, 0, 4}, MapKind::hybrid, settings(size), 1);
+    for (const glm::vec3& pixel : result.image.pixels) {
+        for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(pixel[c], kRadiance, kRadiance * static_cast<float>(8.0 * kRounding));
+    }
+}
+
 }  // namespace
 }  // namespace utsuri::test
