@@ -27,8 +27,8 @@ std::unique_ptr<Renderer> make_planar(const RendererInput& input, const RenderSe
     return std::make_unique<RasterRenderer>(input, RasterMethod{kind, true}, settings, maps);
 }
 
-/// Views mirrored in plane mirrors show everything where it is, so they keep any tolerance of place. They look
-/// curved mirrors up by place alone: with a tolerance of radiance there are none.
+/// Views mirrored in plane mirrors show everything where it is, so they keep any tolerance of place. They
+/// look curved mirrors up by place alone: with a tolerance of radiance there are none.
 std::unique_ptr<Renderer> make_hybrid(const RendererInput& input, const RenderSettings& settings,
                                       const MapSettings& maps) {
     const bool draws_mirrored_views =
