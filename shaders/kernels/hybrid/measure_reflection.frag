@@ -16,7 +16,7 @@ bool is_seen_from_capture_point(vec3 capture_point, uint instance, vec3 point, u
 
 void main() {
     vec3 wo = -normalize_any_scale(drawn_from_eye);
-    Surface surface = make_surface(Hit(0.0, drawn_ids.x, drawn_place.x, drawn_place.y), -wo);
+    Surface surface = hit_surface(wo);
     if (!is_mirror(surface)) {
         drawn = vec4(-1.0);
         return;

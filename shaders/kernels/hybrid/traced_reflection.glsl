@@ -12,10 +12,6 @@ struct TracedReflection {
     bool cut;   ///< at the max depth
 };
 
-uint drawn_sampler_key() {
-    return sampler_key(uvec2(gl_FragCoord.xy), frame.seed, frame.sample_index & 1u);
-}
-
 /// @param reflections that lie between the surface and the eye, less than frame.max_depth
 TracedReflection trace_reflection(vec3 wo, uint reflections) {
     Surface surface = hit_surface(wo);

@@ -12,8 +12,7 @@
 /// some are in shadow and others not.
 vec3 punctual_highlights(vec3 wo) {
     Surface surface = hit_surface(wo);
-    uint key = sampler_key(uvec2(gl_FragCoord.xy), frame.seed, frame.sample_index & 1u);
-    Reservoir reservoir = empty_reservoir(sample_2d(key, frame.sample_index >> 1, 1u).x);
+    Reservoir reservoir = empty_reservoir(sample_2d(drawn_sampler_key(), frame.sample_index >> 1, 1u).x);
     Candidate taken;
     // They come before lights with extent.
     for (uint i = 0u; i < LIGHT_COUNT && lights[i].type != LIGHT_TRIANGLE; ++i) {

@@ -6,6 +6,7 @@
 #include "kernels/raster/drawn_surface.glsl"
 #include "kernels/raster/view.glsl"
 #include "kernels/scene/surface.glsl"
+#include "lib/sampler.glsl"
 
 layout(early_fragment_tests) in;
 
@@ -39,6 +40,11 @@ Surface drawn_surface() {
 /// The same surface where rays would hit it: they leave it from there.
 Surface hit_surface(vec3 wo) {
     return make_surface(Hit(0.0, drawn_ids.x, drawn_place.x, drawn_place.y), -wo);
+}
+
+/// Of the sample that is drawn: frame.sample_index >> 1 counts on within it.
+uint drawn_sampler_key() {
+    return sampler_key(uvec2(gl_FragCoord.xy), frame.seed, frame.sample_index & 1u);
 }
 
 #endif

@@ -1,33 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "import/scene/near_planes.h"
 
+#include "geometry/clip_polygon.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace utsuri {
 namespace {
-
-/// What of a convex polygon is before a plane through the origin, or beside one that is `offset` along the
-/// normal (Sutherland and Hodgman 1974).
-std::vector<glm::dvec3> before_plane(const std::vector<glm::dvec3>& polygon, const glm::dvec3& normal,
-                                     double offset) {
-    std::vector<glm::dvec3> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const glm::dvec3& a = polygon[i];
-        const glm::dvec3& b = polygon[(i + 1) % polygon.size()];
-        const double beyond_a = glm::dot(a, normal) - offset;
-        const double beyond_b = glm::dot(b, normal) - offset;
-        if (beyond_a > 0.0) kept.push_back(a);
-        if ((beyond_a > 0.0) != (beyond_b > 0.0))
-            kept.push_back(a + beyond_a / (beyond_a - beyond_b) * (b - a));
-    }
-    return kept;
-}
 
 /// The part of the view that a near plane cuts off.
 class CutOff {
@@ -69,8 +53,8 @@ class CutOff {
         if (least >= near_ || most <= 0.0) return false;
         std::vector<glm::dvec3> part(triangle.begin(), triangle.end());
         for (const glm::dvec3& side : sides_)
-            part = before_plane(part, side, 0.0);
-        return !before_plane(part, {0, 0, -1}, -near_).empty();
+            part = clip_polygon(part, side, 0.0);
+        return !clip_polygon(part, {0, 0, -1}, -near_).empty();
     }
 
     const Camera& camera_;

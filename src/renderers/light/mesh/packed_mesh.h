@@ -19,11 +19,6 @@ inline constexpr std::uint64_t kMostPackedNodes = std::uint64_t{1} << 24;
 struct PackedMesh {
     std::vector<interop::LightMeshNode> nodes;
     std::vector<interop::LightMeshPoint> points;
-
-    [[nodiscard]] std::uint64_t bytes() const {
-        return nodes.size() * sizeof(interop::LightMeshNode) +
-               points.size() * sizeof(interop::LightMeshPoint);
-    }
 };
 
 /// Puts halvings that follow each other into one node, so that light is looked up in few steps, and what is

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/planar/mirrored_views.h"
 
+#include "geometry/clip_polygon.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -15,20 +17,6 @@ namespace {
 constexpr double kMargin = 1.0;
 
 using Polygon = std::vector<glm::dvec3>;
-
-/// The part of a convex polygon where dot(normal, x) > offset (Sutherland and Hodgman 1974).
-Polygon clip(const Polygon& polygon, const glm::dvec3& normal, double offset) {
-    Polygon result;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const glm::dvec3& a = polygon[i];
-        const glm::dvec3& b = polygon[(i + 1) % polygon.size()];
-        const double da = glm::dot(normal, a) - offset;
-        const double db = glm::dot(normal, b) - offset;
-        if (da > 0.0) result.push_back(a);
-        if ((da > 0.0) != (db > 0.0)) result.push_back(a + da / (da - db) * (b - a));
-    }
-    return result;
-}
 
 class Planner {
   public:
@@ -79,8 +67,8 @@ class Planner {
                                                      const MirroredView& parent) const {
         const Camera& eye = parent.eye;
         Polygon seen(mirror.outline.begin(), mirror.outline.end());
-        if (parent.mirror != interop::NONE) seen = clip(seen, parent.normal, parent.offset);
-        seen = clip(seen, eye.forward, glm::dot(eye.forward, eye.position) + near_plane_);
+        if (parent.mirror != interop::NONE) seen = clip_polygon(seen, parent.normal, parent.offset);
+        seen = clip_polygon(seen, eye.forward, glm::dot(eye.forward, eye.position) + near_plane_);
         if (seen.empty()) return std::nullopt;
         glm::dvec2 lower(std::numeric_limits<double>::infinity());
         glm::dvec2 upper(-lower);
