@@ -33,15 +33,18 @@ struct TextureSlotInfo {
 struct MaterialInfo {
     vec3 base_colour;
     float metallic;
-    vec3 emissive;         ///< cd/m2
-    float roughness;       ///< perceptual
-    float dielectric_f0;   ///< reflectance of the dielectric part at normal incidence
-    float dielectric_f90;  ///< the same at grazing incidence
-    float ior;             ///< index of refraction behind the front over that before it, > 0
-    uint double_sided;     ///< 1: emits from both sides
+    vec3 emissive;       ///< cd/m2
+    float roughness;     ///< perceptual
+    vec3 dielectric_f0;  ///< of the dielectric part at normal incidence, where it is fully specular; above
+                         ///< 1 it counts as 1
+    float specular;      ///< scales all that the dielectric part reflects specularly, in [0, 1]
+    float ior;           ///< index of refraction behind the front over that before it, > 0
+    uint double_sided;   ///< 1: emits from both sides
     TextureSlotInfo base_colour_texture;
     TextureSlotInfo metallic_roughness_texture;
     TextureSlotInfo emissive_texture;
+    TextureSlotInfo specular_texture;         ///< its alpha scales `specular`
+    TextureSlotInfo specular_colour_texture;  ///< scales dielectric_f0
 };
 
 INTEROP_CONSTANT LIGHT_TRIANGLE = 0u;

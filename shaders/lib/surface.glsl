@@ -20,7 +20,7 @@ struct Surface {
     vec3 base_colour;
     float metallic;
     float alpha;         ///< GGX width; 0 where the surface is a perfect mirror or smooth dielectric
-    float f0;            ///< of the dielectric part
+    vec3 f0;             ///< of the dielectric part, each at most f90
     float f90;
     vec3 emission;       ///< cd/m2 towards the viewer
 };

@@ -166,6 +166,9 @@ void check_material(const Material& material, std::size_t textures, const Elemen
     check_share(material.metallic, "metallic", place);
     check_share(material.roughness, "roughness", place);
     check_share(material.specular, "specular", place);
+    if (!is_intensity(material.specular_colour))
+        place.fail("specular_colour",
+                   fmt::format("is {}; must be at least 0 each", text_of(material.specular_colour)));
     if (!is_intensity(material.emissive))
         place.fail("emissive",
                    fmt::format("is {} cd/m2; must be at least 0 each", text_of(material.emissive)));
@@ -178,6 +181,8 @@ void check_material(const Material& material, std::size_t textures, const Elemen
     check_slot(material.base_colour_texture, "base_colour_texture.texture");
     check_slot(material.metallic_roughness_texture, "metallic_roughness_texture.texture");
     check_slot(material.emissive_texture, "emissive_texture.texture");
+    check_slot(material.specular_texture, "specular_texture.texture");
+    check_slot(material.specular_colour_texture, "specular_colour_texture.texture");
 }
 
 void check_texture(const Texture& texture, const Element& place) {

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kRoughnessChannel = 1;
 constexpr std::size_t kMetallicChannel = 2;
+constexpr std::size_t kSpecularChannel = 3;
 
 /// What a material does at its roughest, smoothest, most and least metallic points.
 struct MaterialRange {
@@ -32,29 +33,35 @@ struct MaterialRange {
     }
 };
 
-/// @param range of the texture for metalness and roughness, if the material has one
-MaterialRange material_range(const Material& material, const std::optional<TextureRange>& range) {
+/// @param find_range the TextureRange of a texture by its index
+template <typename FindRange>
+MaterialRange material_range(const Material& material, const FindRange& find_range) {
     const auto factor = [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0f; };
+    const auto range_of = [&](const TextureSlot& slot) {
+        return find_range(static_cast<std::size_t>(slot.texture));
+    };
     MaterialRange result;
     result.roughness = {material.roughness, material.roughness};
     float most_metallic = material.metallic;
     float least_metallic = material.metallic;
-    if (range) {
-        result.roughness.least *= factor(range->least[kRoughnessChannel]);
-        result.roughness.most *= factor(range->most[kRoughnessChannel]);
-        most_metallic *= factor(range->most[kMetallicChannel]);
-        least_metallic *= factor(range->least[kMetallicChannel]);
+    float most_specular = material.specular;
+    if (material.metallic_roughness_texture.used()) {
+        const TextureRange range = range_of(material.metallic_roughness_texture);
+        result.roughness.least *= factor(range.least[kRoughnessChannel]);
+        result.roughness.most *= factor(range.most[kRoughnessChannel]);
+        most_metallic *= factor(range.most[kMetallicChannel]);
+        least_metallic *= factor(range.least[kMetallicChannel]);
     }
-    result.reflects = most_metallic > 0.0f || material.specular > 0.0f;
+    if (material.specular_texture.used())
+        most_specular *= factor(range_of(material.specular_texture).most[kSpecularChannel]);
+    result.reflects = most_metallic > 0.0f || most_specular > 0.0f;
     result.diffuse = least_metallic < 1.0f && material.base_colour != glm::vec3(0.0f);
     return result;
 }
 
 MaterialRange material_range(const Scene& scene, const Material& material) {
-    const TextureSlot& slot = material.metallic_roughness_texture;
-    if (!slot.used()) return material_range(material, std::nullopt);
     return material_range(material,
-                          find_texture_range(scene.textures[static_cast<std::size_t>(slot.texture)]));
+                          [&](std::size_t texture) { return find_texture_range(scene.textures[texture]); });
 }
 
 std::vector<MaterialRange> material_ranges(const Scene& scene, TextureRanges& ranges) {
@@ -62,21 +69,12 @@ std::vector<MaterialRange> material_ranges(const Scene& scene, TextureRanges& ra
     std::vector<MaterialRange> result;
     result.reserve(scene.materials.size());
     for (const Material& material : scene.materials) {
-        const TextureSlot& slot = material.metallic_roughness_texture;
-        if (!slot.used()) {
-            result.push_back(material_range(material, std::nullopt));
-            continue;
-        }
-        const auto index = static_cast<std::size_t>(slot.texture);
-        if (!ranges[index]) ranges[index] = find_texture_range(scene.textures[index]);
-        result.push_back(material_range(material, ranges[index]));
+        result.push_back(material_range(material, [&](std::size_t texture) {
+            if (!ranges[texture]) ranges[texture] = find_texture_range(scene.textures[texture]);
+            return *ranges[texture];
+        }));
     }
     return result;
-}
-
-bool has_texture(const Material& material) {
-    return material.base_colour_texture.used() || material.metallic_roughness_texture.used() ||
-           material.emissive_texture.used();
 }
 
 glm::dvec3 world_position(const Instance& instance, const glm::vec3& position) {
@@ -180,9 +178,8 @@ Requirements find_requirements_but_depth(const Scene& scene, TextureRanges& rang
         if (material.emissive != glm::vec3(0.0f)) needs.emissive_triangles += mesh.triangles.size();
         if (!mesh.triangles.empty() && range.may_be_mirror()) needs.reflective_instances.push_back(i);
         if (!mesh.triangles.empty() && range.may_be_glossy()) needs.glossy_instances.push_back(i);
-        if (!materials.insert(instance.material).second || !has_texture(material)) continue;
-        for (const TextureSlot* slot : {&material.base_colour_texture, &material.metallic_roughness_texture,
-                                        &material.emissive_texture}) {
+        if (!materials.insert(instance.material).second) continue;
+        for (const TextureSlot* slot : texture_slots(material)) {
             if (slot->used()) textures.insert(slot->texture);
         }
     }

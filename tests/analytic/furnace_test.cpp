@@ -161,6 +161,35 @@ TEST_F(Furnace, IndexOfRefractionAndSpecularWeight) {
     expect_radiance(plate(observer, 0.5, 4), 0.5 * (1.0 / 9.0 + (8.0 / 9.0) / 32.0), 1e-5);
 }
 
+// KHR_materials_specular: straight on the colour scales F0 up to 1, before strength scales all; what lies
+// under the dielectric loses the most that some colour is reflected. At 60 degrees Schlick's power is 1 / 32.
+TEST_F(Furnace, SpecularColourAndStrength) {
+    Material material = lambert(glm::vec3(0.5f));
+    material.roughness = 0.0f;
+    material.specular = 0.5f;
+    material.specular_colour = {0.0f, 5.0f, 1000.0f};
+    Observer observer(device(), plate_in_furnace(material));
+    const glm::dvec3 normal = 0.5 * glm::dvec3(0.0, 0.2, 1.0);
+    expect_radiance(plate(observer, 1.0, 4), normal + 0.5 * (1.0 - 0.5), 1e-6);
+    const glm::dvec3 oblique = 0.5 * (glm::dvec3(0.0, 0.2, 1.0) + glm::dvec3(1.0, 0.8, 0.0) / 32.0);
+    expect_radiance(plate(observer, 0.5, 4), oblique + 0.5 * (1.0 - 0.5), 1e-5);
+}
+
+// The same, scaled by textures: the colour by sRGB values, the strength by an alpha.
+TEST_F(Furnace, SpecularTexturesScaleColourAndStrength) {
+    Material material = lambert(glm::vec3(0.0f));
+    material.roughness = 0.0f;
+    material.specular = 1.0f;
+    material.specular_texture.texture = 0;
+    material.specular_colour = glm::vec3(25.0f);
+    material.specular_colour_texture.texture = 1;
+    Scene scene = plate_in_furnace(material);
+    scene.textures = {{"strength", 1, 1, {0, 0, 0, 51}}, {"colour", 1, 1, {0, 55, 255, 0}}};
+    Observer observer(device(), scene);
+    // F0 is 0.04 * 25 = 1 times the colour. 51 / 255 = 0.2; 55 is 0.0382044 (IEC 61966-2-1), to six digits.
+    expect_radiance(plate(observer, 1.0, 4), 0.2 * glm::dvec3(0.0, 0.0382044, 1.0), 1e-6);
+}
+
 // Between dielectric and metal the two are mixed by `metallic`.
 TEST_F(Furnace, MetallicMixesDielectricAndMetal) {
     Material material = lambert(glm::vec3(0.5f));

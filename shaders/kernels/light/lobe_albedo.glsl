@@ -37,7 +37,7 @@ float lost_under_lobe(float cos_o) {
 /// Share of the light that arrives which leaves diffusely from under a glossy lobe.
 /// @param lost as LobeAlbedo has it
 vec3 diffuse_under_lobe(Surface surface, float lost) {
-    float kept = 1.0 - mix(surface.f0, surface.f90, lost);
+    float kept = 1.0 - mix(max_component(surface.f0), surface.f90, lost);
     return surface.base_colour * ((1.0 - surface.metallic) * kept);
 }
 

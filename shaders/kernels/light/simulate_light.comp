@@ -27,7 +27,7 @@ Surface white_surface(uint triangle, vec2 b, bool front) {
     surface.base_colour = vec3(1.0);
     surface.metallic = 0.0;
     surface.alpha = 0.0;
-    surface.f0 = 0.0;
+    surface.f0 = vec3(0.0);
     surface.f90 = 0.0;
     return surface;
 }

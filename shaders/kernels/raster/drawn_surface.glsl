@@ -19,8 +19,9 @@ layout(location = 2) DRAWN vec3 drawn_normal;       // interpolated, not normali
 layout(location = 3) DRAWN vec3 drawn_reflection;   // how the map is addressed: see MAP_KIND_ in interop/reflection.h
 layout(location = 4) DRAWN_FLAT uvec4 drawn_ids;    // triangle, material, double-sided; reflector, probe or map
 layout(location = 5) DRAWN_FLAT vec3 drawn_ng;      // unit, on the front
+layout(location = 5, component = 3) DRAWN_FLAT float drawn_ior;
 layout(location = 6) DRAWN_FLAT vec4 drawn_colour;  // base colour, metallic
-layout(location = 7) DRAWN_FLAT vec3 drawn_emissive;
-layout(location = 8) DRAWN_FLAT vec4 drawn_lobe;    // roughness, f0, f90, index of refraction
+layout(location = 7) DRAWN_FLAT vec4 drawn_emissive; // and roughness
+layout(location = 8) DRAWN_FLAT vec4 drawn_lobe;    // MaterialInfo::dielectric_f0 and specular
 
 #endif

@@ -14,8 +14,9 @@ void set_drawn_triangle(uint triangle, vec2 b) {
     drawn_ng = normalize_any_scale(triangle_cross(bvh_triangles[triangle]));
     MaterialInfo material = materials[info.material];
     drawn_colour = vec4(material.base_colour, material.metallic);
-    drawn_emissive = material.emissive;
-    drawn_lobe = vec4(material.roughness, material.dielectric_f0, material.dielectric_f90, material.ior);
+    drawn_emissive = vec4(material.emissive, material.roughness);
+    drawn_lobe = vec4(material.dielectric_f0, material.specular);
+    drawn_ior = material.ior;
     drawn_ids = uvec4(triangle, info.material, material.double_sided, NONE);
     drawn_reflection = vec3(0.0);
 }

@@ -14,12 +14,14 @@ layout(location = 0) out vec4 drawn;
 
 MaterialInfo drawn_material() {
     TextureSlotInfo none = TextureSlotInfo(NONE, 0u, 0u, 0u, 0u);
-    MaterialInfo material = MaterialInfo(drawn_colour.rgb, drawn_colour.a, drawn_emissive, drawn_lobe.x, drawn_lobe.y,
-                                         drawn_lobe.z, drawn_lobe.w, drawn_ids.z, none, none, none);
+    MaterialInfo material = MaterialInfo(drawn_colour.rgb, drawn_colour.a, drawn_emissive.rgb, drawn_emissive.a,
+                                         drawn_lobe.rgb, drawn_lobe.a, drawn_ior, drawn_ids.z, none, none, none, none, none);
     if (HAS_TEXTURES) {
         material.base_colour_texture = materials[drawn_ids.y].base_colour_texture;
         material.metallic_roughness_texture = materials[drawn_ids.y].metallic_roughness_texture;
         material.emissive_texture = materials[drawn_ids.y].emissive_texture;
+        material.specular_texture = materials[drawn_ids.y].specular_texture;
+        material.specular_colour_texture = materials[drawn_ids.y].specular_colour_texture;
     }
     return material;
 }

@@ -21,9 +21,22 @@ vec3 emitted_radiance(MaterialInfo material, vec2 texcoord, bool front) {
     if (!front && material.double_sided == 0u) return vec3(0.0);
     vec3 emission = material.emissive;
     if (HAS_TEXTURES && material.emissive_texture.texture != NONE) {
-        emission *= sample_texture(material.emissive_texture, texcoord, true);
+        emission *= sample_texture(material.emissive_texture, texcoord, true).rgb;
     }
     return emission;
+}
+
+/// KHR_materials_specular: the reflectance of the dielectric part.
+void evaluate_specular(inout Surface surface, MaterialInfo material) {
+    surface.f0 = material.dielectric_f0;
+    surface.f90 = material.specular;
+    if (HAS_TEXTURES && material.specular_colour_texture.texture != NONE) {
+        surface.f0 *= sample_texture(material.specular_colour_texture, surface.texcoord, true).rgb;
+    }
+    if (HAS_TEXTURES && material.specular_texture.texture != NONE) {
+        surface.f90 *= sample_texture(material.specular_texture, surface.texcoord, false).a;
+    }
+    surface.f0 = min(surface.f0, vec3(1.0)) * surface.f90;
 }
 
 void evaluate_material(inout Surface surface, MaterialInfo material) {
@@ -31,17 +44,16 @@ void evaluate_material(inout Surface surface, MaterialInfo material) {
     surface.metallic = material.metallic;
     float roughness = material.roughness;
     if (HAS_TEXTURES && material.base_colour_texture.texture != NONE) {
-        surface.base_colour *= sample_texture(material.base_colour_texture, surface.texcoord, true);
+        surface.base_colour *= sample_texture(material.base_colour_texture, surface.texcoord, true).rgb;
     }
     if (HAS_TEXTURES && material.metallic_roughness_texture.texture != NONE) {
-        vec3 value = sample_texture(material.metallic_roughness_texture, surface.texcoord, false);
+        vec4 value = sample_texture(material.metallic_roughness_texture, surface.texcoord, false);
         roughness *= value.g;
         surface.metallic *= value.b;
     }
     surface.alpha = roughness < SPECULAR_ROUGHNESS ? 0.0 : roughness * roughness;
     surface.eta = surface.front ? material.ior : 1.0 / material.ior;
-    surface.f0 = material.dielectric_f0;
-    surface.f90 = material.dielectric_f90;
+    evaluate_specular(surface, material);
     surface.emission = emitted_radiance(material, surface.texcoord, surface.front);
 }
 

@@ -31,15 +31,16 @@ vec3 srgb_to_linear(vec3 c) {
     return mix(u * u * p, low, lessThanEqual(c, vec3(0.04045)));
 }
 
-vec3 fetch_texel(TextureSlotInfo slot, ivec2 position, bool srgb) {
+vec4 fetch_texel(TextureSlotInfo slot, ivec2 position, bool srgb) {
     int x = wrap_texel(position.x, int(slot.width), slot.sampling & TEXTURE_WRAP_MASK);
     int y = wrap_texel(position.y, int(slot.height), (slot.sampling >> TEXTURE_WRAP_BITS) & TEXTURE_WRAP_MASK);
-    vec3 value = unpackUnorm4x8(texels[slot.first_texel + uint(y) * slot.width + uint(x)]).rgb;
-    return srgb ? srgb_to_linear(value) : value;
+    vec4 value = unpackUnorm4x8(texels[slot.first_texel + uint(y) * slot.width + uint(x)]);
+    return srgb ? vec4(srgb_to_linear(value.rgb), value.a) : value;
 }
 
 /// Linear value at a texture coordinate, v downwards from the top row.
-vec3 sample_texture(TextureSlotInfo slot, vec2 texcoord, bool srgb) {
+/// @param srgb how its colour is coded
+vec4 sample_texture(TextureSlotInfo slot, vec2 texcoord, bool srgb) {
     // Beyond this range float32 cannot tell texels apart anyway; it keeps the integer conversion defined.
     vec2 position = clamp(texcoord * vec2(slot.width, slot.height), vec2(-16777216.0), vec2(16777216.0));
     if ((slot.sampling & TEXTURE_LINEAR) == 0u) {
@@ -48,8 +49,8 @@ vec3 sample_texture(TextureSlotInfo slot, vec2 texcoord, bool srgb) {
     vec2 corner = floor(position - 0.5);
     vec2 f = position - 0.5 - corner;
     ivec2 i = ivec2(corner);
-    vec3 top = mix(fetch_texel(slot, i, srgb), fetch_texel(slot, i + ivec2(1, 0), srgb), f.x);
-    vec3 bottom = mix(fetch_texel(slot, i + ivec2(0, 1), srgb), fetch_texel(slot, i + ivec2(1, 1), srgb), f.x);
+    vec4 top = mix(fetch_texel(slot, i, srgb), fetch_texel(slot, i + ivec2(1, 0), srgb), f.x);
+    vec4 bottom = mix(fetch_texel(slot, i + ivec2(0, 1), srgb), fetch_texel(slot, i + ivec2(1, 1), srgb), f.x);
     return mix(top, bottom, f.y);
 }
 

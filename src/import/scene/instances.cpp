@@ -47,10 +47,7 @@ void InstanceImporter::place_primitive(const PlacedNode& placed, std::size_t mes
     if (!node.name.empty() && primitives.size() > 1) instance.name += fmt::format("[{}]", primitive);
     instance.material = materials_.material_of(primitives[primitive].material);
     check_extent(instance, place);
-    const Material& material = scene.materials[instance.material];
-    const bool textured = material.base_colour_texture.used() || material.metallic_roughness_texture.used() ||
-                          material.emissive_texture.used();
-    if (textured && scene.meshes[instance.mesh].texcoords.empty()) {
+    if (has_texture(scene.materials[instance.material]) && scene.meshes[instance.mesh].texcoords.empty()) {
         context_.ignored.add("textures on meshes without TEXCOORD_0 are looked up at (0, 0)", place);
     }
     scene.instances.push_back(std::move(instance));

@@ -52,15 +52,6 @@ void note_unused_features(FeatureNotes& ignored, const tinygltf::Material& sourc
     }
 }
 
-void note_unused_specular(FeatureNotes& ignored, const Json& specular, const std::string& place) {
-    if (specular.contains("specularTexture")) ignored.add("specularTexture is not used", place);
-    if (specular.contains("specularColorTexture")) ignored.add("specularColorTexture is not used", place);
-    const Json white = {1.0, 1.0, 1.0};
-    if (specular.value("specularColorFactor", white) != white) {
-        ignored.add("specularColorFactor is not used, dielectric reflections are white", place);
-    }
-}
-
 }  // namespace
 
 std::uint32_t MaterialImporter::material_of(int material) {
@@ -99,8 +90,6 @@ Material MaterialImporter::read(std::size_t index) {
     material.emissive = emissive_luminance(document, source, strength, place);
     material.ior =
         index_of_refraction(context_, extension_of(json, "KHR_materials_ior").value("ior", 1.5), place);
-    const Json& specular = extension_of(json, "KHR_materials_specular");
-    material.specular = static_cast<float>(specular.value("specularFactor", 1.0));
     const std::string pbr_place = place + ".pbrMetallicRoughness.";
     material.base_colour_texture = textures_.slot(pbr.baseColorTexture, pbr_place + "baseColorTexture");
     material.metallic_roughness_texture =
@@ -108,8 +97,27 @@ Material MaterialImporter::read(std::size_t index) {
     material.emissive_texture = textures_.slot(source.emissiveTexture, place + ".emissiveTexture");
     leave_out_black_emission(material, place);
     note_unused_features(context_.ignored, source, place);
-    note_unused_specular(context_.ignored, specular, place);
+    read_specular(extension_of(json, "KHR_materials_specular"), material,
+                  place + ".extensions.KHR_materials_specular.");
     return material;
+}
+
+void MaterialImporter::read_specular(const Json& specular, Material& material, const std::string& place) {
+    material.specular = static_cast<float>(specular.value("specularFactor", 1.0));
+    const std::vector<double> colour =
+        specular.value("specularColorFactor", std::vector<double>{1.0, 1.0, 1.0});
+    for (int c = 0; c < 3; ++c)
+        material.specular_colour[c] = static_cast<float>(colour[static_cast<std::size_t>(c)]);
+    const auto slot = [&](const char* name) {
+        tinygltf::TextureInfo info;
+        if (const auto found = specular.find(name); found != specular.end()) {
+            info.index = found->value("index", -1);
+            info.texCoord = found->value("texCoord", 0);
+        }
+        return textures_.slot(info, place + name);
+    };
+    material.specular_texture = slot("specularTexture");
+    material.specular_colour_texture = slot("specularColorTexture");
 }
 
 void MaterialImporter::leave_out_black_emission(Material& material, const std::string& place) {

@@ -22,6 +22,7 @@ class MaterialImporter {
 
   private:
     Material read(std::size_t index);
+    void read_specular(const nlohmann::json& specular, Material& material, const std::string& place);
     void leave_out_black_emission(Material& material, const std::string& place);
 
     ImportContext& context_;

@@ -26,13 +26,15 @@ std::vector<interop::MaterialInfo> list_materials(const Scene& scene, const Text
         info.metallic = material.metallic;
         info.emissive = material.emissive;
         info.roughness = material.roughness;
-        info.dielectric_f0 = ratio * ratio * material.specular;
-        info.dielectric_f90 = material.specular;
+        info.dielectric_f0 = ratio * ratio * material.specular_colour;
+        info.specular = material.specular;
         info.ior = material.ior;
         info.double_sided = material.double_sided ? 1 : 0;
         info.base_colour_texture = table.slot(material.base_colour_texture);
         info.metallic_roughness_texture = table.slot(material.metallic_roughness_texture);
         info.emissive_texture = table.slot(material.emissive_texture);
+        info.specular_texture = table.slot(material.specular_texture);
+        info.specular_colour_texture = table.slot(material.specular_colour_texture);
         result.push_back(info);
     }
     return result;

@@ -132,7 +132,8 @@ std::vector<bool> same_materials(const Step& step) {
         const interop::MaterialInfo& material = step.after.materials[i];
         same.push_back(
             same_bits(step.before.materials[i], material) && same_texels(material.base_colour_texture) &&
-            same_texels(material.metallic_roughness_texture) && same_texels(material.emissive_texture));
+            same_texels(material.metallic_roughness_texture) && same_texels(material.emissive_texture) &&
+            same_texels(material.specular_texture) && same_texels(material.specular_colour_texture));
     }
     return same;
 }

@@ -46,9 +46,8 @@ void write_texture(const Texture& texture, std::size_t header, SceneData& data, 
 TextureTable::TextureTable(const Scene& scene)
     : scene_(scene), indices_(scene.textures.size(), interop::NONE) {
     for (const Material& material : scene.materials) {
-        add(material.base_colour_texture);
-        add(material.metallic_roughness_texture);
-        add(material.emissive_texture);
+        for (const TextureSlot* slot : texture_slots(material))
+            add(*slot);
     }
 }
 

@@ -28,7 +28,7 @@ Surface probed_surface() {
     surface.base_colour = vec3(1.0);
     surface.metallic = 1.0;
     surface.alpha = push.alpha;
-    surface.f0 = 0.0;
+    surface.f0 = vec3(0.0);
     surface.f90 = 0.0;
     surface.emission = vec3(0.0);
     return surface;
@@ -51,7 +51,7 @@ void main() {
     } else if (SAMPLER == PROBE_LOBE) {
         surface.base_colour = vec3(0.9, 0.5, 0.2);
         surface.metallic = 0.25;
-        surface.f0 = 0.04;
+        surface.f0 = vec3(0.04);
         surface.f90 = 1.0;
         LobeSample lobe = sample_lobe(surface, push.lobe, push.wo, u);
         result.direction = lobe.direction;

@@ -43,6 +43,7 @@ TEST(Materials, EmptyObjectHasTheDefaultsOfGltf) {
     EXPECT_EQ(material.roughness, 1.0f);
     EXPECT_EQ(material.ior, 1.5f);
     EXPECT_EQ(material.specular, 1.0f);
+    EXPECT_EQ(material.specular_colour, glm::vec3(1));
     EXPECT_FALSE(material.double_sided);
 }
 
@@ -58,7 +59,8 @@ TEST(Materials, EveryValueIsRead) {
                                    {"extensions",
                                     {{"KHR_materials_emissive_strength", {{"emissiveStrength", 10000000000}}},
                                      {"KHR_materials_ior", {{"ior", 1.25}}},
-                                     {"KHR_materials_specular", {{"specularFactor", 0}}}}}}))
+                                     {"KHR_materials_specular",
+                                      {{"specularFactor", 0.25}, {"specularColorFactor", {0, 0.5, 2}}}}}}}))
             .material();
     EXPECT_EQ(material.name, "brass");
     EXPECT_EQ(material.base_colour, glm::vec3(0.25f, 0.5f, 0.75f));
@@ -67,7 +69,8 @@ TEST(Materials, EveryValueIsRead) {
     EXPECT_EQ(material.emissive, glm::vec3(5e9f, 1e10f, 0));
     EXPECT_TRUE(material.double_sided);
     EXPECT_EQ(material.ior, 1.25f);
-    EXPECT_EQ(material.specular, 0.0f);
+    EXPECT_EQ(material.specular, 0.25f);
+    EXPECT_EQ(material.specular_colour, glm::vec3(0, 0.5f, 2));
 }
 
 TEST(Materials, OnlyUsedOnesAreImportedAndShared) {
@@ -108,23 +111,14 @@ TEST(Materials, UnusedFeaturesAreListed) {
     MaterialFile file(Json::object({{"alphaMode", "BLEND"},
                                     {"normalTexture", {{"index", 0}}},
                                     {"occlusionTexture", {{"index", 0}}},
-                                    {"extensions",
-                                     {{"KHR_materials_ior", {{"ior", 0}}},
-                                      {"KHR_materials_specular",
-                                       {{"specularColorFactor", {1, 0.5, 0.5}},
-                                        {"specularTexture", {{"index", 0}}},
-                                        {"specularColorTexture", {{"index", 0}}}}}}}}));
+                                    {"extensions", {{"KHR_materials_ior", {{"ior", 0}}}}}}));
     file.writer.json["textures"] = Json::array({Json::object()});
     const ImportResult result = file.writer.import();
-    EXPECT_THAT(
-        result.ignored,
-        ElementsAre("an ior of 0 (full reflection at every angle) is drawn as 1.5: materials[0]",
-                    "normal textures are not drawn, surfaces look smooth: materials[0]",
-                    "occlusion textures are not used, occlusion is computed: materials[0]",
-                    "alphaMode BLEND is not used, surfaces are drawn opaque: materials[0]",
-                    "specularTexture is not used: materials[0]",
-                    "specularColorTexture is not used: materials[0]",
-                    "specularColorFactor is not used, dielectric reflections are white: materials[0]"));
+    EXPECT_THAT(result.ignored,
+                ElementsAre("an ior of 0 (full reflection at every angle) is drawn as 1.5: materials[0]",
+                            "normal textures are not drawn, surfaces look smooth: materials[0]",
+                            "occlusion textures are not used, occlusion is computed: materials[0]",
+                            "alphaMode BLEND is not used, surfaces are drawn opaque: materials[0]"));
     EXPECT_EQ(result.scene.materials.at(0).ior, 1.5f);
 }
 

@@ -70,10 +70,14 @@ TEST(Images, SharedByTexturesIsDecodedOnce) {
     file.add("textures", {{"source", 0}});
     file.json["materials"][0]["emissiveTexture"] = {{"index", 1}};
     file.json["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
+    file.json["materials"][0]["extensions"]["KHR_materials_specular"] = {
+        {"specularTexture", {{"index", 1}}}, {"specularColorTexture", {{"index", 0}}}};
     const ImportResult result = file.import();
     EXPECT_EQ(result.scene.textures.size(), 1u);
     EXPECT_EQ(result.scene.materials.at(0).emissive_texture.texture, 0);
     EXPECT_EQ(result.scene.materials.at(0).metallic_roughness_texture.texture, 0);
+    EXPECT_EQ(result.scene.materials.at(0).specular_texture.texture, 0);
+    EXPECT_EQ(result.scene.materials.at(0).specular_colour_texture.texture, 0);
 }
 
 TEST(Images, UnusedOnesAreNotEvenRead) {

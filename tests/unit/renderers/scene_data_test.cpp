@@ -110,8 +110,9 @@ TEST(SceneData, TurnsMaterialsIntoReflectances) {
     EXPECT_EQ(info.metallic, 0.25f);
     EXPECT_EQ(info.roughness, 0.5f);
     // ((1.5 - 1) / (1.5 + 1))^2 = 0.04, scaled by the specular factor.
-    EXPECT_NEAR(static_cast<double>(info.dielectric_f0), 0.02, 0.02 * kFloat32);
-    EXPECT_EQ(info.dielectric_f90, 0.5f);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(static_cast<double>(info.dielectric_f0[c]), 0.04, 0.04 * kFloat32);
+    EXPECT_EQ(info.specular, 0.5f);
     EXPECT_EQ(info.base_colour_texture.texture, interop::NONE);
 }
 

@@ -80,6 +80,10 @@ TEST(CheckScene, FindsIndicesOutOfRange) {
         "1");
     EXPECT_THAT(error_after([](Scene& s) { s.materials[1].metallic_roughness_texture.texture = 5; }),
                 HasSubstr("materials[1].metallic_roughness_texture"));
+    EXPECT_THAT(error_after([](Scene& s) { s.materials[1].specular_colour_texture.texture = 5; }),
+                HasSubstr("materials[1].specular_colour_texture"));
+    EXPECT_THAT(error_after([](Scene& s) { s.materials[1].specular_colour.y = -1.0f; }),
+                HasSubstr("materials[1].specular_colour: is"));
     EXPECT_THAT(error_after([](Scene& s) { s.materials[1].emissive_texture.texture = 5; }),
                 HasSubstr("materials[1].emissive_texture"));
 }

@@ -105,6 +105,23 @@ TEST(Requirements, ReadRoughnessAndMetalnessFromTextures) {
     EXPECT_FALSE(may_be_glossy(scene, matte));
 }
 
+// The alpha of the specular texture scales what a dielectric reflects.
+TEST(Requirements, ReadStrengthOfReflectionsFromTextures) {
+    Scene scene;
+    scene.textures = {texture({{255, 255, 255, 0}, {255, 255, 255, 0}}),
+                      texture({{255, 255, 255, 0}, {255, 255, 255, 1}})};
+    Material varnish = test::lambert(glm::vec3(0.5f));
+    varnish.specular = 1.0f;
+    varnish.specular_texture.texture = 0;
+    EXPECT_FALSE(may_be_glossy(scene, varnish));
+    varnish.specular_texture.texture = 1;
+    EXPECT_TRUE(may_be_glossy(scene, varnish));
+    // A black reflection straight on is a white one at grazing angles.
+    varnish.specular_texture.texture = -1;
+    varnish.specular_colour = glm::vec3(0.0f);
+    EXPECT_TRUE(may_be_glossy(scene, varnish));
+}
+
 // A factor is left at its default 1, and a texture decides.
 TEST(Requirements, TellWhereSomethingIsDiffuse) {
     Scene scene;
