@@ -1,30 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light kept on surfaces: a mesh over each triangle of the scene, with light at its points. A triangle is the
-// root of a tree of triangles. On leaves light is linear between their corners. After mesh colors (Yuksel,
-// Keyser and House 2010): no parametrisation of the surface, and points only where something is.
+// Light kept on surfaces: a mesh over each triangle of the scene. A triangle is the root of a tree of
+// triangles, on whose leaves light is linear. After mesh colors (Yuksel, Keyser and House 2010): no
+// parametrisation of the surface, and light only where something is.
 #ifndef UTSURI_INTEROP_LIGHT_MESH_H
 #define UTSURI_INTEROP_LIGHT_MESH_H
 #include "interop/prelude.h"
 INTEROP_BEGIN
 
-/// What LightMeshNode::head holds, from the lowest bits on: one of these kinds, the corner that corners are
-/// counted from, how many times a node is halved, its first child.
-INTEROP_CONSTANT LIGHT_MESH_LEAF = 0u;    ///< the other members are the points at its corners
-INTEROP_CONSTANT LIGHT_MESH_CUT = 1u;     ///< two children: (0, split point, 2) and (split point, 1, 2)
-INTEROP_CONSTANT LIGHT_MESH_HALVED = 2u;  ///< 2^halvings children: halved_child() in kept_light.glsl
-INTEROP_CONSTANT LIGHT_MESH_KIND_BITS = 2u;
-INTEROP_CONSTANT LIGHT_MESH_CORNER_BITS = 2u;
-INTEROP_CONSTANT LIGHT_MESH_HALVINGS_BITS = 4u;
+/// What refers to a leaf has the first of these bits, and which of its sides are not black: those follow each
+/// other among LightMeshSides from the index in the lower bits on. Else it is the index of a LightMeshSplit
+/// among the texels that begin with a LightMeshRoot of each triangle.
+INTEROP_CONSTANT LIGHT_MESH_LEAF = 1u << 31u;
+INTEROP_CONSTANT LIGHT_MESH_FRONT = 1u << 30u;
+INTEROP_CONSTANT LIGHT_MESH_BACK = 1u << 29u;
+/// In LightMeshSplit::first: what tells the children apart goes up by 1 with b2; else with b1.
+INTEROP_CONSTANT LIGHT_MESH_BY_B2 = 1u << 28u;
+/// In LightMeshSplit::second: light may jump from child to child.
+INTEROP_CONSTANT LIGHT_MESH_CUT = 1u << 28u;
+INTEROP_CONSTANT LIGHT_MESH_INDEX = (1u << 28u) - 1u;
 
-/// The roots come first, numbered like BvhTriangle.
-struct LightMeshNode {
-    uint head;
-    uint first;  ///< leaf: point, or NONE where no light is kept; cut: bits of a float, how far along the
-                 ///< edge from corner 0 to 1 it is split, in (0, 1)
-    /// Leaf: points; cut: bits of floats, by how much of the triangle's barycentric coordinates b1 and b2
-    /// differs what tells one child from the other, which lies between -share and 1 - share.
+/// Of a triangle, numbered like BvhTriangle.
+struct LightMeshRoot {
+    uint tree;        ///< all of it, or NONE where no light is kept
+    uint rows;        ///< of a grid of square cells over barycentric coordinates b1 and b2; 0 without one
+    uint first_cell;  ///< among the words of the texels: what holds all of a cell, rows - j cells for row j
+                      ///< of b2
+    uint unused;
+};
+
+/// Two parts of a triangle, told apart by a line.
+struct LightMeshSplit {
+    float constant;  ///< of what is positive in the second part: + b1 + slope b2, or + slope b1 + b2
+    float slope;     ///< in [-1, 1]
+    uint first;
     uint second;
-    uint third;
+};
+
+/// Light on one side of a leaf, cd/m2, in barycentric coordinates of the triangle: constant + b1 along_b1 +
+/// b2 along_b2.
+struct LightMeshSide {
+    vec3 constant;
+    float most_red;  ///< on the leaf
+    vec3 along_b1;
+    float most_green;
+    vec3 along_b2;
+    float most_blue;
 };
 
 /// What a white diffuse surface would send out at a point, in cd/m2: irradiance over pi.

@@ -26,8 +26,8 @@ vk::raii::Buffer create_buffer(const Device& device, std::uint64_t bytes) {
     return device.handle().createBuffer({{},
                                          bytes,
                                          Usage::eStorageBuffer | Usage::eUniformBuffer |
-                                             Usage::eIndirectBuffer | Usage::eTransferSrc |
-                                             Usage::eTransferDst,
+                                             Usage::eUniformTexelBuffer | Usage::eIndirectBuffer |
+                                             Usage::eTransferSrc | Usage::eTransferDst,
                                          vk::SharingMode::eExclusive});
 }
 

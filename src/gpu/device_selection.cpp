@@ -77,6 +77,7 @@ DeviceSummary summarise(const vk::raii::PhysicalDevice& device, std::size_t inde
     summary.api = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(base.apiVersion),
                               VK_API_VERSION_MINOR(base.apiVersion), VK_API_VERSION_PATCH(base.apiVersion));
     summary.storage_range_bytes = base.limits.maxStorageBufferRange;
+    summary.texel_elements = base.limits.maxTexelBufferElements;
     summary.subgroup_size = properties.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
     summary.image_size = std::min({base.limits.maxImageDimension2D, base.limits.maxFramebufferWidth,
                                    base.limits.maxFramebufferHeight, base.limits.maxViewportDimensions[0]});

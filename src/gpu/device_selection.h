@@ -18,6 +18,7 @@ struct DeviceSummary {
     std::string api;                 ///< highest Vulkan version, for example "1.3.230"
     std::uint64_t memory_bytes = 0;  ///< of the largest device-local heap
     std::uint64_t storage_range_bytes = 0;  ///< largest buffer a kernel can see
+    std::uint64_t texel_elements = 0;       ///< most texels of a buffer that a kernel can read as such
     std::uint32_t subgroup_size = 0;
     bool draws = false;  ///< can rasterise triangles, and write to buffers then: some compute cards cannot
     std::uint32_t image_size = 0;      ///< longest side of a picture that can be drawn into

@@ -4,8 +4,6 @@
 #include "base/check.h"
 #include "gpu/vulkan_call.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <map>
 
@@ -33,10 +31,6 @@ std::vector<SpirvBinding> declared_bindings(std::span<const StageModule> modules
     return bindings;
 }
 
-vk::DescriptorType type_of(const SpirvBinding& binding) {
-    return binding.is_uniform ? vk::DescriptorType::eUniformBuffer : vk::DescriptorType::eStorageBuffer;
-}
-
 vk::ShaderStageFlags all_stages(std::span<const StageModule> modules) {
     vk::ShaderStageFlags stages;
     for (const StageModule& module : modules)
@@ -48,7 +42,7 @@ std::vector<vk::raii::DescriptorSetLayout> create_set_layouts(const Device& devi
                                                               std::span<const StageModule> modules) {
     std::array<std::vector<vk::DescriptorSetLayoutBinding>, kDescriptorSets> entries;
     for (const auto& [binding, stages] : stages_of_bindings(modules))
-        entries[binding.set].emplace_back(binding.number, type_of(binding), 1, stages);
+        entries[binding.set].emplace_back(binding.number, descriptor_type(binding.kind), 1, stages);
     std::vector<vk::raii::DescriptorSetLayout> layouts;
     layouts.reserve(entries.size());
     for (const auto& set : entries)
@@ -75,20 +69,6 @@ vk::raii::PipelineLayout create_layout(const Device& device,
 }
 
 }  // namespace
-
-BindingSet::BindingSet(vk::raii::DescriptorPool pool, std::vector<vk::raii::DescriptorSet> sets)
-    : pool_(std::move(pool)), sets_(std::move(sets)) {}
-
-std::vector<vk::DescriptorSet> BindingSet::handles() const {
-    std::vector<vk::DescriptorSet> handles;
-    for (const vk::raii::DescriptorSet& set : sets_)
-        handles.push_back(*set);
-    return handles;
-}
-
-BindingSet::BindingSet(BindingSet&& other) noexcept = default;
-BindingSet& BindingSet::operator=(BindingSet&& other) noexcept = default;
-BindingSet::~BindingSet() = default;
 
 ShaderStage::ShaderStage(const Device& device, vk::ShaderStageFlagBits stage,
                          std::span<const std::uint32_t> spirv, const Specialization& specialization)
@@ -126,29 +106,7 @@ PipelineInterface::~PipelineInterface() = default;
 
 BindingSet PipelineInterface::bind(const Bindings& buffers) const {
     return vulkan_call("bind buffers of", name_, [&] {
-        const auto count = static_cast<std::uint32_t>(declared_.size());
-        const std::array sizes = {vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, count),
-                                  vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, count)};
-        vk::raii::DescriptorPool pool = device_->handle().createDescriptorPool(
-            {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, kDescriptorSets, sizes});
-        const std::vector<vk::DescriptorSetLayout> layouts = handles_of(set_layouts_);
-        std::vector<vk::raii::DescriptorSet> sets =
-            device_->handle().allocateDescriptorSets({*pool, layouts});
-        std::vector<vk::DescriptorBufferInfo> infos;
-        infos.reserve(declared_.size());
-        std::vector<vk::WriteDescriptorSet> writes;
-        for (const SpirvBinding& binding : declared_) {
-            const auto found = buffers.find(binding.number);
-            if (found == buffers.end()) {
-                fail_check(__FILE__, __LINE__,
-                           fmt::format("{} has no buffer for binding {}", name_, binding.number));
-            }
-            infos.emplace_back(found->second->handle(), 0, VK_WHOLE_SIZE);
-            writes.emplace_back(*sets[binding.set], binding.number, 0, 1, type_of(binding), nullptr,
-                                &infos.back());
-        }
-        device_->handle().updateDescriptorSets(writes, {});
-        return BindingSet(std::move(pool), std::move(sets));
+        return BindingSet(*device_, name_, declared_, handles_of(set_layouts_), buffers);
     });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gpu/buffer.h"
+#include "gpu/binding_set.h"
 #include "gpu/device.h"
 #include "gpu/spirv.h"
 
@@ -14,26 +14,6 @@ namespace utsuri {
 
 /// Values of specialization constants by id; ids a shader does not declare are passed over.
 using Specialization = std::map<std::uint32_t, std::uint32_t>;
-
-/// Which buffer is bound at which binding number.
-using Bindings = std::map<std::uint32_t, const Buffer*>;
-
-/// Descriptor sets of every pipeline: the scene's buffers, and what a method adds.
-inline constexpr std::uint32_t kDescriptorSets = 2;
-
-/// Buffers bound for one pipeline, which must outlive this.
-class BindingSet {
-  public:
-    BindingSet(vk::raii::DescriptorPool pool, std::vector<vk::raii::DescriptorSet> sets);
-    BindingSet(BindingSet&& other) noexcept;
-    BindingSet& operator=(BindingSet&& other) noexcept;
-    ~BindingSet();
-    [[nodiscard]] std::vector<vk::DescriptorSet> handles() const;
-
-  private:
-    vk::raii::DescriptorPool pool_;
-    std::vector<vk::raii::DescriptorSet> sets_;
-};
 
 /// One stage of a pipeline: embedded SPIR-V and what of the constants it declares.
 class ShaderStage {
@@ -60,7 +40,7 @@ struct StageModule {
     std::span<const std::uint32_t> spirv;
 };
 
-/// What a pipeline reads: storage buffers and uniform blocks, found from its SPIR-V, and one push constant
+/// What a pipeline reads: buffers, found from its SPIR-V, and one push constant
 /// block. Move-only.
 class PipelineInterface {
   public:

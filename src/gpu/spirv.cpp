@@ -16,7 +16,9 @@ constexpr std::uint32_t kOpMemberDecorate = 72;
 constexpr std::uint32_t kSpecId = 1;
 constexpr std::uint32_t kBinding = 33;
 constexpr std::uint32_t kDescriptorSet = 34;
-constexpr std::uint32_t kUniform = 2;  // storage class
+// Storage classes.
+constexpr std::uint32_t kUniformConstant = 0;
+constexpr std::uint32_t kUniform = 2;
 constexpr std::size_t kHeaderWords = 5;
 
 /// Calls visit(operation, words) for every instruction, its first word left out.
@@ -29,6 +31,13 @@ void for_each_instruction(std::span<const std::uint32_t> module, const Visit& vi
         visit(module[at] & 0xffffu, module.subspan(at + 1, words - 1));
         at += words;
     }
+}
+
+BindingKind kind_of(std::uint32_t storage_class) {
+    if (storage_class == kUniform) return BindingKind::uniform_block;
+    // Images would be of this class too; no kernel has one.
+    if (storage_class == kUniformConstant) return BindingKind::texels;
+    return BindingKind::storage;
 }
 
 std::vector<std::uint32_t> decoration_values(std::span<const std::uint32_t> module,
@@ -68,7 +77,7 @@ std::vector<SpirvBinding> spirv_bindings(std::span<const std::uint32_t> module) 
         // Operands: type, result, storage class.
         if (operation != kOpVariable) return;
         const auto variable = variables.find(words[1]);
-        if (variable != variables.end()) variable->second.is_uniform = words[2] == kUniform;
+        if (variable != variables.end()) variable->second.kind = kind_of(words[2]);
     });
     std::set<SpirvBinding> bindings;
     for (const auto& [id, binding] : variables)

@@ -19,11 +19,14 @@ struct SpirvDecoration {
 /// All decorations of a module, in order.
 std::vector<SpirvDecoration> spirv_decorations(std::span<const std::uint32_t> module);
 
+/// How a kernel sees a buffer.
+enum class BindingKind { storage, uniform_block, texels };
+
 /// A buffer that a module declares.
 struct SpirvBinding {
     std::uint32_t number = 0;
     std::uint32_t set = 0;
-    bool is_uniform = false;  ///< a uniform block; else a storage buffer
+    BindingKind kind = BindingKind::storage;
 
     // clang-tidy 14 takes the 0 that such a comparison is held against for a null pointer.
     // NOLINTNEXTLINE(modernize-use-nullptr)

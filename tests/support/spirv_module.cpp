@@ -88,6 +88,8 @@ std::set<std::uint32_t> SpirvModule::pointers_into(std::uint32_t binding) const 
                    instruction.operation == kOpInBoundsAccessChain) {
             // Operands of these: result type, result, base, indices.
             if (buffers.contains(words[2]) || pointers.contains(words[2])) pointers.insert(words[1]);
+        } else if (instruction.operation == kOpLoad && buffers.contains(words[2])) {
+            pointers.insert(words[1]);  // texels: the image is loaded first
         }
     }
     return pointers;

@@ -29,6 +29,7 @@ inline constexpr std::uint32_t kOpTypeRuntimeArray = 29;
 inline constexpr std::uint32_t kOpTypeStruct = 30;
 inline constexpr std::uint32_t kOpFunction = 54;
 inline constexpr std::uint32_t kOpFunctionEnd = 56;
+inline constexpr std::uint32_t kOpLoad = 61;
 inline constexpr std::uint32_t kOpStore = 62;
 inline constexpr std::uint32_t kOpAccessChain = 65;
 inline constexpr std::uint32_t kOpInBoundsAccessChain = 66;

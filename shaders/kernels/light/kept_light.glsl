@@ -2,98 +2,69 @@
 // Light kept on surfaces.
 #ifndef UTSURI_KERNELS_LIGHT_KEPT_LIGHT
 #define UTSURI_KERNELS_LIGHT_KEPT_LIGHT
-#extension GL_EXT_scalar_block_layout : require
-
 #include "interop/bindings.h"
 #include "interop/light_mesh.h"
 #include "lib/numeric.glsl"
 
-layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_MESH_NODES) readonly restrict buffer LightMeshNodes { LightMeshNode light_nodes[]; };
-/// LightMeshPoints, side by side: front and back of each.
-layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_MESH_POINTS) readonly restrict buffer LightMeshSides { vec3 light_sides[]; };
-
-/// Counts the corners of a triangle from another one, which keeps their order.
-vec3 from_corner(vec3 b, uint corner) {
-    return corner == 0u ? b : (corner == 1u ? b.yzx : b.zxy);
-}
-
-/// LightMeshNode::first, second and third.
-uvec3 light_corners(uint node) {
-    return uvec3(light_nodes[node].first, light_nodes[node].second, light_nodes[node].third);
-}
+layout(set = METHOD_SET, binding = BINDING_LIGHT_MESH_NODES) uniform usamplerBuffer light_nodes;
+layout(set = METHOD_SET, binding = BINDING_LIGHT_MESH_LEAVES) uniform usamplerBuffer light_leaves;
 
 /// How far rays may be off on the triangles that they hit: 64 roundings of the size of the triangle.
 const vec2 RAY_PLACE_ERROR = vec2(1.0 / 262144.0);
 
-/// The child of a node that is halved some times, each time at the edge that its newest corner looks at. Light is the same on
-/// both sides of such a split: it does not matter which one rounding chooses.
-uint halved_child(inout vec3 b, uint halvings) {
-    uint child = 0u;
-    for (uint i = 0u; i < halvings; ++i) {
-        bool second = b.y > b.x;
-        float apart = abs(b.x - b.y);
-        float newest = 2.0 * min(b.x, b.y);
-        b = second ? vec3(apart, b.z, newest) : vec3(b.z, apart, newest);
-        child = 2u * child + (second ? 1u : 0u);
-    }
-    return child;
+LightMeshRoot light_root(uint triangle) {
+    uvec4 words = texelFetch(light_nodes, int(triangle));
+    return LightMeshRoot(words.x, words.y, words.z, words.w);
+}
+
+LightMeshSplit light_split(uint index) {
+    uvec4 words = texelFetch(light_nodes, int(index));
+    return LightMeshSplit(uintBitsToFloat(words.x), uintBitsToFloat(words.y), words.z, words.w);
+}
+
+/// The part of the tree that holds all of the grid's cell at a place, and what is on the other side of cuts within a cell of it.
+uint part_at(LightMeshRoot root, vec2 place) {
+    uint i = min(uint(max(place.x, 0.0) * float(root.rows)), root.rows - 1u);
+    uint j = min(uint(max(place.y, 0.0) * float(root.rows)), root.rows - 1u - i);
+    uint word = root.first_cell + j * root.rows - j * (j - 1u) / 2u + i;
+    uvec4 words = texelFetch(light_nodes, int(word >> 2u));
+    uvec2 pair = (word & 2u) != 0u ? words.zw : words.xy;
+    return (word & 1u) != 0u ? pair.y : pair.x;
 }
 
 /// A place on a triangle, and what is asked about it.
 struct LightQuery {
-    vec2 error;        ///< of its barycentric coordinates, at most
+    vec2 place;        ///< barycentric coordinates b1, b2
+    vec2 error;        ///< of place, at most
     bool second_side;  ///< where the place may lie on both sides of a cut by its error: which one to take
     bool unsure;       ///< whether there was such a cut
 };
 
-/// The child of a node that is cut.
-/// @param cut LightMeshNode::first, second and third
-uint cut_child(inout vec3 b, uvec3 cut, inout LightQuery query) {
-    float share = uintBitsToFloat(cut.x);
-    // In the child, the coordinate of the split point takes over from that of the corner that is cut off.
-    float beyond = b.y * (1.0 - share) - b.x * share;
-    bool is_unsure = abs(beyond) <= dot(uintBitsToFloat(cut.yz), query.error);
-    query.unsure = query.unsure || is_unsure;
-    bool second = is_unsure ? query.second_side : beyond > 0.0;
-    float part = 1.0 / (second ? 1.0 - share : share);
-    b = second ? vec3(b.x * part, beyond * part, b.z) : vec3(-beyond * part, b.y * part, b.z);
-    return second ? 1u : 0u;
-}
-
-const uint HALVINGS_AT = LIGHT_MESH_KIND_BITS + LIGHT_MESH_CORNER_BITS;
-const uint CHILD_AT = HALVINGS_AT + LIGHT_MESH_HALVINGS_BITS;
-
-uint node_kind(uint head) {
-    return head & ((1u << LIGHT_MESH_KIND_BITS) - 1u);
-}
-
-uint node_corner(uint head) {
-    return head >> LIGHT_MESH_KIND_BITS & ((1u << LIGHT_MESH_CORNER_BITS) - 1u);
-}
-
-uint node_halvings(uint head) {
-    return head >> HALVINGS_AT & ((1u << LIGHT_MESH_HALVINGS_BITS) - 1u);
-}
-
-/// The points at the corners of the leaf at a place; NONE where no light is kept.
-/// @param b barycentric coordinates on the triangle, then on the leaf
-uvec3 leaf_at(uint triangle, inout vec3 b, inout LightQuery query) {
-    uint node = triangle;
-    uint head = light_nodes[node].head;
-    // A loop for each kind: lanes of another one cost nothing where there are none.
-    while (node_kind(head) != LIGHT_MESH_LEAF) {
-        while (node_kind(head) == LIGHT_MESH_HALVED) {
-            b = from_corner(b, node_corner(head));
-            node = (head >> CHILD_AT) + halved_child(b, node_halvings(head));
-            head = light_nodes[node].head;
-        }
-        while (node_kind(head) == LIGHT_MESH_CUT) {
-            b = from_corner(b, node_corner(head));
-            node = (head >> CHILD_AT) + cut_child(b, light_corners(node), query);
-            head = light_nodes[node].head;
-        }
+/// The leaf at a place in a part of a tree.
+uint leaf_at(uint part, inout LightQuery query) {
+    while ((part & LIGHT_MESH_LEAF) == 0u) {
+        LightMeshSplit split = light_split(part & LIGHT_MESH_INDEX);
+        vec2 slopes = (split.first & LIGHT_MESH_BY_B2) != 0u ? vec2(split.slope, 1.0) : vec2(1.0, split.slope);
+        float beyond = split.constant + dot(slopes, query.place);
+        // Light is the same on both sides of other splits: it does not matter which one rounding chooses.
+        bool is_unsure = (split.second & LIGHT_MESH_CUT) != 0u && abs(beyond) <= dot(abs(slopes), query.error);
+        query.unsure = query.unsure || is_unsure;
+        bool second = is_unsure ? query.second_side : beyond > 0.0;
+        part = second ? split.second : split.first;
     }
-    return light_corners(node);
+    return part;
+}
+
+/// Light on one side of a leaf. A place that lies beside the leaf by its error gets no more than there is on it.
+vec3 leaf_light(uint leaf, vec2 place, bool front) {
+    if ((leaf & (front ? LIGHT_MESH_FRONT : LIGHT_MESH_BACK)) == 0u) return vec3(0.0);
+    bool comes_second = !front && (leaf & LIGHT_MESH_FRONT) != 0u;
+    int texel = 3 * int((leaf & LIGHT_MESH_INDEX) + (comes_second ? 1u : 0u));
+    vec4 constant = uintBitsToFloat(texelFetch(light_leaves, texel));
+    vec4 along_b1 = uintBitsToFloat(texelFetch(light_leaves, texel + 1));
+    vec4 along_b2 = uintBitsToFloat(texelFetch(light_leaves, texel + 2));
+    vec3 most = vec3(constant.w, along_b1.w, along_b2.w);
+    return clamp(constant.rgb + place.x * along_b1.rgb + place.y * along_b2.rgb, vec3(0.0), most);
 }
 
 /// What a white diffuse surface would send out at a point of a triangle, to one side, cd/m2. A point that may lie on both
@@ -101,20 +72,18 @@ uvec3 leaf_at(uint triangle, inout vec3 b, inout LightQuery query) {
 /// @param place barycentric coordinates b1, b2
 /// @param error of place, at most
 vec3 kept_light(uint triangle, vec2 place, vec2 error, bool front) {
+    LightMeshRoot root = light_root(triangle);
+    if (root.tree == NONE) return vec3(0.0);
+    uint part = root.tree;
+    // Cells know of cuts within a cell of them: where a place is not known as well as that, the whole tree tells.
+    if (root.rows > 0u && all(lessThan(error * float(root.rows), vec2(1.0)))) part = part_at(root, place);
     vec3 light = vec3(0.0);
     float darkest = INFINITY;
-    LightQuery query = LightQuery(error, false, true);
+    LightQuery query = LightQuery(place, error, false, true);
     for (uint side = 0u; side < 2u && query.unsure; ++side) {
         query.second_side = side == 1u;
         query.unsure = false;
-        vec3 b = vec3(1.0 - place.x - place.y, place);
-        uvec3 points = leaf_at(triangle, b, query);
-        if (points.x == NONE) return vec3(0.0);
-        // A place may lie beside its leaf by its error.
-        b = max(b, vec3(0.0));
-        b /= b.x + b.y + b.z;
-        uvec3 sides = 2u * points + (front ? 0u : 1u);
-        vec3 found = b.x * light_sides[sides.x] + b.y * light_sides[sides.y] + b.z * light_sides[sides.z];
+        vec3 found = leaf_light(leaf_at(part, query), place, front);
         float sum = found.x + found.y + found.z;
         if (sum < darkest) {
             darkest = sum;

@@ -22,7 +22,7 @@ layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_MESH_POINTS) writeonly 
 
 /// The surface there, made white and diffuse.
 Surface white_surface(uint triangle, vec2 b, bool front) {
-    vec3 normal = triangle_cross(bvh_triangles[triangle]);
+    vec3 normal = triangle_cross(bvh_triangle(triangle));
     Surface surface = make_surface(Hit(0.0, triangle, b.x, b.y), front ? -normal : normal);
     surface.base_colour = vec3(1.0);
     surface.metallic = 0.0;

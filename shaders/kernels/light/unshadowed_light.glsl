@@ -117,7 +117,7 @@ vec3 piecewise_irradiance(BvhTriangle vertices, uint first, Surface surface) {
 vec3 unshadowed_irradiance(uint index, Surface surface) {
     LightInfo light = lights[index];
     if (HAS_TRIANGLE_LIGHTS && light.type == LIGHT_TRIANGLE) {
-        BvhTriangle vertices = bvh_triangles[light.triangle];
+        BvhTriangle vertices = bvh_triangle(light.triangle);
         bool front = dot(triangle_cross(vertices), surface.position - vertices.v0) > 0.0;
         if (HAS_TEXTURES && first_light_pieces[index] != NONE) {
             if (!front && materials[triangle_infos[light.triangle].material].double_sided == 0u) return vec3(0.0);

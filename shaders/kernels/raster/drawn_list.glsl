@@ -12,9 +12,7 @@ uint listed_triangle() {
 }
 
 vec3 listed_corner() {
-    BvhTriangle vertices = bvh_triangles[listed_triangle()];
-    uint corner = uint(gl_VertexIndex) % 3u;
-    return corner == 0u ? vertices.v0 : (corner == 1u ? vertices.v1 : vertices.v2);
+    return bvh_vertex(listed_triangle(), uint(gl_VertexIndex) % 3u);
 }
 
 #endif

@@ -18,7 +18,7 @@ float edge_curvature(vec3 from, vec3 to, vec3 from_normal, vec3 to_normal) {
 
 /// Along that edge where they turn least, radians a metre; > 0 where the front is convex.
 float least_curvature(uint triangle) {
-    BvhTriangle corners = bvh_triangles[triangle];
+    BvhTriangle corners = bvh_triangle(triangle);
     uvec3 vertices = triangle_infos[triangle].vertices;
     vec3 n0 = normals[vertices.x];
     vec3 n1 = normals[vertices.y];

@@ -35,7 +35,7 @@ float triangle_light_pdf(float probability, float facing, float distance_squared
 }
 
 LightSample sample_triangle_light(LightInfo light, float probability, Surface surface, vec2 u) {
-    BvhTriangle vertices = bvh_triangles[light.triangle];
+    BvhTriangle vertices = bvh_triangle(light.triangle);
     TriangleInfo info = triangle_infos[light.triangle];
     // Uniform over the triangle, without the square root's clumping of stratified samples (Heitz 2019).
     float b1 = u.x < u.y ? 0.5 * u.x : u.x - 0.5 * u.y;
@@ -97,7 +97,7 @@ float light_pdf(Hit hit, vec3 direction, Receiver left) {
     }
     uint light = triangle_infos[hit.triangle].light;
     if (!HAS_TRIANGLE_LIGHTS || light == NONE) return 0.0;
-    float facing = abs(dot(triangle_cross(bvh_triangles[hit.triangle]), direction));
+    float facing = abs(dot(triangle_cross(bvh_triangle(hit.triangle)), direction));
     return triangle_light_pdf(choice_probability(light, left), facing, hit.t * hit.t);
 }
 

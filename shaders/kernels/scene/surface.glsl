@@ -76,7 +76,7 @@ void shade_surface(inout Surface surface, vec3 ng, vec3 ns, MaterialInfo materia
 
 /// @param direction of the ray that hit
 Surface make_surface(Hit hit, vec3 direction) {
-    BvhTriangle vertices = bvh_triangles[hit.triangle];
+    BvhTriangle vertices = bvh_triangle(hit.triangle);
     TriangleInfo info = triangle_infos[hit.triangle];
     Surface surface;
     surface.error_bound = triangle_point_error(vertices, hit.b1, hit.b2);

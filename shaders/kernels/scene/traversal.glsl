@@ -65,7 +65,7 @@ Hit traverse(Ray ray, bool any_hit) {
             if ((group.y & NODE_MASK) != 0u) stack[stack_size++] = group;
 
             uint slot = (bit - BVH_NODE_BITS) ^ box_ray.octant;
-            BvhNode node = bvh_nodes[group.x + bitCount(group.y & ((1u << slot) - 1u))];
+            BvhNode node = bvh_node(group.x + bitCount(group.y & ((1u << slot) - 1u)));
             uint hits = hit_children(node, box_ray, best.t);
             group = uvec2(node.bases_meta.x, (hits & NODE_MASK) | (node.origin_exponents.w >> BVH_NODE_BITS));
             leaf = uvec2(node.bases_meta.y, hits & ~NODE_MASK);
@@ -73,7 +73,7 @@ Hit traverse(Ray ray, bool any_hit) {
         while (leaf.y != 0u) {
             uint triangle = leaf.x + uint(findLSB(leaf.y));
             leaf.y &= leaf.y - 1u;
-            BvhTriangle vertices = bvh_triangles[triangle];
+            BvhTriangle vertices = bvh_triangle(triangle);
             TriangleHit candidate = intersect_triangle(sheared, vertices.v0, vertices.v1, vertices.v2);
             if (is_closer(candidate, triangle, best) && !is_excluded(ray, triangle)) {
                 best = Hit(candidate.t, triangle, candidate.b1, candidate.b2);

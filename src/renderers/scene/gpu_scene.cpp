@@ -7,21 +7,27 @@
 #include "base/check.h"
 
 #include <algorithm>
+#include <array>
 
 namespace utsuri {
 namespace {
 
-/// Without bytes one zeroed record, because Vulkan has no empty buffers.
+/// Whole texels, as which kernels read some of them. Without bytes there is one zeroed record, because Vulkan
+/// has no empty buffers.
 std::uint64_t size_on_device(const SceneBuffer& content) {
-    return std::max<std::uint64_t>(content.bytes.size(), content.record_bytes);
+    const std::uint64_t bytes = std::max<std::uint64_t>(content.bytes.size(), content.record_bytes);
+    return (bytes + kTexelBytes - 1) / kTexelBytes * kTexelBytes;
 }
 
-/// Fills all of a buffer of that size.
+/// Fills a buffer of that size, with zeros where it is rounded up.
 void fill(Buffer& buffer, const SceneBuffer& content) {
     if (content.bytes.empty()) {
         buffer.fill_with_zero();
     } else {
-        buffer.upload(content.bytes);
+        constexpr std::array<std::byte, kTexelBytes> kZeros{};
+        const std::uint64_t rest = buffer.size() - content.bytes.size();
+        buffer.upload(std::array{Upload{0, content.bytes},
+                                 Upload{content.bytes.size(), std::span(kZeros).first(rest)}});
     }
 }
 

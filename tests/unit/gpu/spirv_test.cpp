@@ -58,13 +58,17 @@ TEST(Spirv, ListsBindingsAndSpecializationIdsOnceAndAscending) {
     const auto variable = [](std::uint32_t id, std::uint32_t storage_class) {
         return std::vector<std::uint32_t>{first_word(59, 4), 100, id, storage_class};
     };
+    constexpr std::uint32_t kUniformConstant = 0;
     constexpr std::uint32_t kUniform = 2;
     constexpr std::uint32_t kStorageBuffer = 12;
     const auto words =
         module({decorate(1, kBinding, 9), decorate(2, kBinding, 2), decorate(2, kDescriptorSet, 1),
-                decorate(3, kBinding, 9), decorate(4, kSpecId, 5), decorate(5, kSpecId, 0),
-                variable(1, kStorageBuffer), variable(2, kUniform), variable(3, kStorageBuffer)});
-    EXPECT_THAT(spirv_bindings(words), ElementsAre(SpirvBinding{2, 1, true}, SpirvBinding{9, 0, false}));
+                decorate(3, kBinding, 9), decorate(6, kBinding, 4), decorate(4, kSpecId, 5),
+                decorate(5, kSpecId, 0), variable(1, kStorageBuffer), variable(2, kUniform),
+                variable(3, kStorageBuffer), variable(6, kUniformConstant)});
+    EXPECT_THAT(spirv_bindings(words), ElementsAre(SpirvBinding{2, 1, BindingKind::uniform_block},
+                                                   SpirvBinding{4, 0, BindingKind::texels},
+                                                   SpirvBinding{9, 0, BindingKind::storage}));
     EXPECT_THAT(spirv_specialization_ids(words), ElementsAre(0, 5));
 }
 

@@ -9,19 +9,13 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <random>
 
 namespace utsuri::test {
 namespace {
-
-/// Bits of LightMeshNode::head.
-std::uint32_t field(std::uint32_t head, std::uint32_t at, std::uint32_t bits) {
-    return (head >> at) & ((1u << bits) - 1u);
-}
-
-constexpr std::uint32_t kHalvingsAt = interop::LIGHT_MESH_KIND_BITS + interop::LIGHT_MESH_CORNER_BITS;
-constexpr std::uint32_t kChildAt = kHalvingsAt + interop::LIGHT_MESH_HALVINGS_BITS;
 
 glm::dvec3 from_corner(const glm::dvec3& b, std::uint32_t corner) {
     const auto at = [&](std::uint32_t i) { return b[static_cast<int>((corner + i) % 3)]; };
@@ -52,40 +46,55 @@ double light_of(const LightMesh& mesh, std::uint32_t node, const glm::dvec3& b) 
     return light_of(mesh, n.child + (second ? 1 : 0), on_child(turned, share, second));
 }
 
-/// A node of a packed mesh that is cut, and what tells its children apart.
-struct Cut {
-    std::uint32_t node;
-    double beyond;
+/// A part of a tree with its cuts, as a look-up comes by them.
+struct Met {
+    std::uint32_t leaf;
+    std::uint32_t splits;
+    std::vector<double> cuts;  ///< how far the place is from each, in barycentric coordinates
 };
 
-double light_of(const PackedMesh& mesh, std::uint32_t root, glm::dvec3 b, std::vector<Cut>& cuts) {
-    std::uint32_t index = root;
-    for (;;) {
-        const interop::LightMeshNode& n = mesh.nodes[index];
-        const std::uint32_t kind = field(n.head, 0, interop::LIGHT_MESH_KIND_BITS);
-        if (kind == interop::LIGHT_MESH_LEAF)
-            return interpolated(mesh.points, {n.first, n.second, n.third}, b);
-        b = from_corner(b, field(n.head, interop::LIGHT_MESH_KIND_BITS, interop::LIGHT_MESH_CORNER_BITS));
-        index = n.head >> kChildAt;
-        if (kind == interop::LIGHT_MESH_CUT) {
-            const auto share = static_cast<double>(std::bit_cast<float>(n.first));
-            const double beyond = b.y * (1.0 - share) - b.x * share;
-            cuts.push_back({static_cast<std::uint32_t>(&n - mesh.nodes.data()), beyond});
-            index += beyond > 0.0 ? 1 : 0;
-            b = on_child(b, share, beyond > 0.0);
-            continue;
-        }
-        std::uint32_t part = 0;
-        const std::uint32_t halvings = field(n.head, kHalvingsAt, interop::LIGHT_MESH_HALVINGS_BITS);
-        for (std::uint32_t i = 0; i < halvings; ++i) {
-            const bool second = b.y > b.x;
-            const glm::dvec3 child = on_child(b, 0.5, second);
-            // Counted from the edge that the split point looks at.
-            b = from_corner(child, second ? 1 : 2);
-            part = 2 * part + (second ? 1 : 0);
-        }
-        index += part;
+interop::LightMeshSplit split_at(const PackedMesh& mesh, std::uint32_t reference) {
+    return std::bit_cast<interop::LightMeshSplit>(mesh.nodes[reference & interop::LIGHT_MESH_INDEX]);
+}
+
+Met leaf_at(const PackedMesh& mesh, std::uint32_t part, const glm::dvec2& b) {
+    Met met{};
+    while ((part & interop::LIGHT_MESH_LEAF) == 0) {
+        const interop::LightMeshSplit split = split_at(mesh, part);
+        const bool by_b2 = (split.first & interop::LIGHT_MESH_BY_B2) != 0;
+        const auto slope = static_cast<double>(split.slope);
+        const glm::dvec2 slopes = by_b2 ? glm::dvec2(slope, 1.0) : glm::dvec2(1.0, slope);
+        const double beyond = static_cast<double>(split.constant) + slopes.x * b.x + slopes.y * b.y;
+        if ((split.second & interop::LIGHT_MESH_CUT) != 0)
+            met.cuts.push_back(std::abs(beyond) / (std::abs(slopes.x) + std::abs(slopes.y)));
+        part = beyond > 0.0 ? split.second : split.first;
+        ++met.splits;
     }
+    met.leaf = part;
+    return met;
+}
+
+double front_light(const PackedMesh& mesh, std::uint32_t leaf, const glm::dvec2& b) {
+    if ((leaf & interop::LIGHT_MESH_FRONT) == 0) return 0.0;
+    const interop::LightMeshSide& side = mesh.sides[leaf & interop::LIGHT_MESH_INDEX];
+    const double light = static_cast<double>(side.constant.x) + b.x * static_cast<double>(side.along_b1.x) +
+                         b.y * static_cast<double>(side.along_b2.x);
+    return std::clamp(light, 0.0, static_cast<double>(side.most_red));
+}
+
+interop::LightMeshRoot root_of(const PackedMesh& mesh, std::uint32_t triangle) {
+    return std::bit_cast<interop::LightMeshRoot>(mesh.nodes[triangle]);
+}
+
+/// What the grid of a triangle has at a place.
+std::uint32_t part_at(const PackedMesh& mesh, const interop::LightMeshRoot& root, const glm::dvec2& b) {
+    if (root.rows == 0) return root.tree;
+    const auto i = std::min(static_cast<std::uint32_t>(b.x * root.rows), root.rows - 1);
+    const auto j = std::min(static_cast<std::uint32_t>(b.y * root.rows), root.rows - 1 - i);
+    std::uint32_t word = root.first_cell + i;
+    for (std::uint32_t row = 0; row < j; ++row)
+        word += root.rows - row;
+    return mesh.nodes[word / 4][word % 4];
 }
 
 /// A floor, half of it lit, with a wall that is not parallel to its edges standing on it.
@@ -116,60 +125,69 @@ Lit lit_floor() {
 
 constexpr int kPlaces = 4000;
 
-// Nodes and coordinates of both are doubles here: they differ by roundings alone, but for a place so near a
-// split that these decide, of which a few thousand random ones hold none.
+glm::dvec2 random_place(std::mt19937& random) {
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    const glm::dvec2 b(uniform(random), uniform(random));
+    return b.x + b.y > 1.0 ? 1.0 - b : b;
+}
+
+// Light is at most 1 on parts of no less than 1/200 of the triangle: its coefficients, of at most some times
+// 200, are rounded to 2^-24. Places so near a split that rounding decides are few thousand random ones none.
 TEST(PackedMesh, KeepsTheLightOfTheMesh) {
+    constexpr double kRounded = 4.0 * 3.0 * 200.0 * 0x1p-24;
     const Lit lit = lit_floor();
     const auto triangles = static_cast<std::uint32_t>(lit.data.triangle_infos.size());
     const PackedMesh packed = pack(lit.mesh, triangles);
-    EXPECT_LT(packed.nodes.size(), lit.mesh.nodes.size());
-    EXPECT_EQ(packed.points.size(), lit.mesh.points.size());
     std::mt19937 random(7);
-    std::uniform_real_distribution<double> uniform(0.0, 1.0);
-    std::size_t cuts_met = 0;
     for (int i = 0; i < kPlaces; ++i) {
-        glm::dvec2 b(uniform(random), uniform(random));
-        if (b.x + b.y > 1.0) b = 1.0 - b;
+        const glm::dvec2 b = random_place(random);
         for (std::uint32_t t = 0; t < triangles; ++t) {
-            const glm::dvec3 place(1.0 - b.x - b.y, b.x, b.y);
-            std::vector<Cut> cuts;
-            EXPECT_NEAR(light_of(packed, t, place, cuts), light_of(lit.mesh, t, place), 1e-9);
-            cuts_met += cuts.size();
+            const interop::LightMeshRoot root = root_of(packed, t);
+            const std::uint32_t leaf = leaf_at(packed, part_at(packed, root, b), b).leaf;
+            EXPECT_EQ(leaf, leaf_at(packed, root.tree, b).leaf) << "the grid leads elsewhere";
+            EXPECT_NEAR(front_light(packed, leaf, b), light_of(lit.mesh, t, {1.0 - b.x - b.y, b.x, b.y}),
+                        kRounded);
         }
     }
-    EXPECT_GT(cuts_met, 0u);
 }
 
-// Beside each place, what tells the children of a cut apart is off by as much as the cut says: linear, so
-// that differences of doubles a millionth apart tell it to 2^-52 / 1e-6, and float32 to its rounding.
-TEST(PackedMesh, SaysHowFarAPlaceIsFromACut) {
+// The grid spares most of the steps down a deep tree.
+TEST(PackedMesh, TakesFewStepsToALeaf) {
+    const Lit lit = lit_floor();
+    const PackedMesh packed = pack(lit.mesh, static_cast<std::uint32_t>(lit.data.triangle_infos.size()));
+    std::mt19937 random(9);
+    std::uint64_t without = 0;
+    std::uint64_t with = 0;
+    for (int i = 0; i < kPlaces; ++i) {
+        const glm::dvec2 b = random_place(random);
+        const interop::LightMeshRoot root = root_of(packed, 0);
+        ASSERT_GT(root.rows, 0u);
+        without += leaf_at(packed, root.tree, b).splits;
+        with += leaf_at(packed, part_at(packed, root, b), b).splits;
+    }
+    EXPECT_GT(without, 8u * kPlaces) << "too shallow a tree to tell";
+    EXPECT_LT(2 * with, without);
+}
+
+// A cell knows every cut that passes within a cell of it: places that are known as well as that come by all
+// cuts that they may lie on both sides of.
+TEST(PackedMesh, KnowsCutsNearAPlace) {
     const Lit lit = lit_floor();
     const PackedMesh packed = pack(lit.mesh, static_cast<std::uint32_t>(lit.data.triangle_infos.size()));
     std::mt19937 random(8);
-    std::uniform_real_distribution<double> uniform(0.05, 0.45);
-    constexpr double kStep = 1e-6;
-    int compared = 0;
+    std::size_t near = 0;
     for (int i = 0; i < kPlaces; ++i) {
-        const glm::dvec2 b(uniform(random), uniform(random));
-        std::vector<Cut> here;
-        light_of(packed, 0, {1.0 - b.x - b.y, b.x, b.y}, here);
-        for (int axis = 0; axis < 2; ++axis) {
-            glm::dvec2 moved = b;
-            moved[axis] += kStep;
-            std::vector<Cut> there;
-            light_of(packed, 0, {1.0 - moved.x - moved.y, moved.x, moved.y}, there);
-            for (std::size_t k = 0; k < std::min(here.size(), there.size()) && here[k].node == there[k].node;
-                 ++k) {
-                const interop::LightMeshNode& cut = packed.nodes[here[k].node];
-                const auto told =
-                    static_cast<double>(std::bit_cast<float>(axis == 0 ? cut.second : cut.third));
-                const double measured = std::abs(there[k].beyond - here[k].beyond) / kStep;
-                EXPECT_NEAR(measured, told, 1e-6 * std::max(told, 1.0)) << k;
-                ++compared;
-            }
-        }
+        const glm::dvec2 b = random_place(random);
+        const interop::LightMeshRoot root = root_of(packed, 0);
+        const double error = 0.999 / root.rows;
+        const auto count_near = [&](const Met& met) {
+            return std::count_if(met.cuts.begin(), met.cuts.end(), [&](double away) { return away < error; });
+        };
+        const auto all = count_near(leaf_at(packed, root.tree, b));
+        EXPECT_EQ(count_near(leaf_at(packed, part_at(packed, root, b), b)), all);
+        near += static_cast<std::size_t>(all);
     }
-    EXPECT_GT(compared, kPlaces / 2);
+    EXPECT_GT(near, 0u);
 }
 
 }  // namespace

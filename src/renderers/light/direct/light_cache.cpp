@@ -61,10 +61,7 @@ MeshSettings mesh_settings(const SceneData& data, const LightSettings& settings,
     result.finest = result.coarsest / settings.refinement;
     result.tolerance = settings.tolerance;
     result.most_points = settings.most_points;
-    const std::uint64_t nodes = std::min(kMostPackedNodes, buffer_bytes / sizeof(interop::LightMeshNode));
-    const std::uint64_t roots = std::min<std::uint64_t>(nodes, data.triangle_infos.size());
-    result.room =
-        std::min(buffer_bytes / sizeof(interop::LightMeshPoint), (nodes - roots) / kPackedNodesPerPoint);
+    result.room = most_packed_points(data.triangle_infos.size(), buffer_bytes);
     return result;
 }
 
@@ -75,8 +72,8 @@ LightCache::LightCache(Device& device, const SceneData& data, const GpuScene& sc
       data_(data),
       scene_(scene),
       settings_(settings),
-      nodes_(make_buffer<interop::LightMeshNode>(device, {}, "light mesh")),
-      points_(make_buffer<interop::LightMeshPoint>(device, {}, "light at points")) {}
+      nodes_(make_buffer<MeshTexel>(device, {}, "light mesh")),
+      sides_(make_buffer<interop::LightMeshSide>(device, {}, "light on leaves")) {}
 
 void LightCache::fill(Progress& progress) {
     if (is_filled()) return;
@@ -129,15 +126,15 @@ void LightCache::simulate(const Told& known, const ChangedSpace& changed, Progre
 
 void LightCache::keep(LightMesh mesh) {
     const PackedMesh packed = pack(mesh, static_cast<std::uint32_t>(data_.triangle_infos.size()));
-    Buffer nodes = make_buffer<interop::LightMeshNode>(device_, packed.nodes, "light mesh");
-    Buffer points = make_buffer<interop::LightMeshPoint>(device_, packed.points, "light at points");
+    Buffer nodes = make_buffer<MeshTexel>(device_, packed.nodes, "light mesh");
+    Buffer sides = make_buffer<interop::LightMeshSide>(device_, packed.sides, "light on leaves");
     mesh_ = std::move(mesh);
     nodes_ = std::move(nodes);
-    points_ = std::move(points);
+    sides_ = std::move(sides);
 }
 
 Bindings LightCache::kept_bindings() const {
-    return {{interop::BINDING_LIGHT_MESH_NODES, &nodes_}, {interop::BINDING_LIGHT_MESH_POINTS, &points_}};
+    return {{interop::BINDING_LIGHT_MESH_NODES, &nodes_}, {interop::BINDING_LIGHT_MESH_LEAVES, &sides_}};
 }
 
 }  // namespace utsuri

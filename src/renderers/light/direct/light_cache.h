@@ -55,7 +55,7 @@ class LightCache : public SurfaceLight {
     LightMesh mesh_;
     Told told_;
     Buffer nodes_;
-    Buffer points_;
+    Buffer sides_;
 };
 
 }  // namespace utsuri

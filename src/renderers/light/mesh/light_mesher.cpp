@@ -57,8 +57,8 @@ MeshBytes predict_mesh_bytes(const SceneData& scene, const MeshSettings& setting
     const LightMesher mesher(scene, settings);
     const std::uint64_t points = mesher.places().size();
     const auto bytes = [&](std::uint64_t count) {
-        return count * sizeof(interop::LightMeshPoint) +
-               (scene.triangle_infos.size() + kPackedNodesPerPoint * count) * sizeof(interop::LightMeshNode);
+        const PackedBytes per_point = packed_bytes_per_point();
+        return scene.triangle_infos.size() * sizeof(MeshTexel) + count * (per_point.nodes + per_point.sides);
     };
     return {bytes(points), bytes(std::min(points + settings.most_points, settings.room))};
 }

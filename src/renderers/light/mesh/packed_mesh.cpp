@@ -3,7 +3,8 @@
 
 #include "base/check.h"
 
-#include <glm/vec2.hpp>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -12,161 +13,193 @@
 namespace utsuri {
 namespace {
 
-/// Halvings of one node, at most: 32 children.
-constexpr std::uint32_t kMostHalvings = 5;
+/// Cells of a grid for each leaf of its triangle, about. Leaves gather where light changes, so that even with
+/// 16 half of the cells hold a split.
+constexpr std::uint64_t kCellsPerLeaf = 4;
 
-/// In the children of a halved node, the edge that their newest corner, the split point, looks at.
-constexpr std::uint32_t kNextOfFirst = 2;
-constexpr std::uint32_t kNextOfSecond = 1;
+/// How far beyond the edges of a cell splits are looked at that light does not jump at, in cells: more than
+/// the rounding of which cell a place is in.
+constexpr double kRounding = 1e-3;
+/// The same of cuts: see kept_light().
+constexpr double kCutMargin = 1.0;
 
-/// Barycentric coordinates of a node, differentiated by b1 and b2 of the whole triangle.
-using Gradients = std::array<glm::dvec2, 3>;
+/// Linear over a triangle: x + y b1 + z b2, with its barycentric coordinates b1 and b2.
+using Linear = glm::dvec3;
+/// The barycentric coordinates of a part of it.
+using Coordinates = std::array<Linear, 3>;
+constexpr Coordinates kWhole = {Linear(1, -1, -1), Linear(0, 1, 0), Linear(0, 0, 1)};
 
-constexpr Gradients kWhole = {glm::dvec2(-1, -1), glm::dvec2(1, 0), glm::dvec2(0, 1)};
-
-/// A node that is to be packed.
-struct Item {
-    std::uint32_t node;
-    std::uint32_t corner;  ///< corners are counted from this one
-    Gradients gradients;
+/// A split as its node has it.
+struct Split {
+    Linear beyond;  ///< positive in the second child, negative in the first
+    std::array<Coordinates, 2> children;
 };
 
-/// Of what is positive in the second child of a node, negative in the first, and of the coordinates on both.
-struct SplitGradients {
-    glm::dvec2 beyond;
-    std::array<Gradients, 2> children;
-};
-
-SplitGradients split_gradients(const MeshNode& node, const Gradients& gradients) {
-    const glm::dvec2& a = gradients[node.split];
-    const glm::dvec2& b = gradients[(node.split + 1) % 3];
-    const glm::dvec2& c = gradients[(node.split + 2) % 3];
+Split split_of(const MeshNode& node, const Coordinates& coordinates) {
+    const Linear& a = coordinates[node.split];
+    const Linear& b = coordinates[(node.split + 1) % 3];
+    const Linear& c = coordinates[(node.split + 2) % 3];
     const auto share = static_cast<double>(node.share);
-    const glm::dvec2 beyond = b * (1.0 - share) - a * share;
+    const Linear beyond = b * (1.0 - share) - a * share;
     return {beyond,
-            {Gradients{-beyond / share, b / share, c}, {a / (1.0 - share), beyond / (1.0 - share), c}}};
+            {Coordinates{-beyond / share, b / share, c}, {a / (1.0 - share), beyond / (1.0 - share), c}}};
 }
 
-std::uint32_t head(std::uint32_t kind, std::uint32_t corner, std::uint32_t halvings, std::uint32_t child) {
-    constexpr std::uint32_t kHalvingsAt = interop::LIGHT_MESH_KIND_BITS + interop::LIGHT_MESH_CORNER_BITS;
-    return kind | (corner << interop::LIGHT_MESH_KIND_BITS) | (halvings << kHalvingsAt) |
-           (child << (kHalvingsAt + interop::LIGHT_MESH_HALVINGS_BITS));
+/// A split as kernels read it, and what it is made of.
+interop::LightMeshSplit scaled_split(const Linear& beyond, bool is_cut,
+                                     std::array<std::uint32_t, 2> children) {
+    const bool by_b2 = std::abs(beyond.z) > std::abs(beyond.y);
+    const double scale = by_b2 ? beyond.z : beyond.y;
+    if (scale < 0.0) std::swap(children[0], children[1]);
+    interop::LightMeshSplit split{};
+    split.constant = static_cast<float>(beyond.x / scale);
+    split.slope = static_cast<float>((by_b2 ? beyond.y : beyond.z) / scale);
+    split.first = children[0] | (by_b2 ? interop::LIGHT_MESH_BY_B2 : 0);
+    split.second = children[1] | (is_cut ? interop::LIGHT_MESH_CUT : 0);
+    return split;
 }
 
-std::uint32_t bits_of(double value) {
-    return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+/// A square of a grid, in barycentric coordinates.
+struct Cell {
+    glm::dvec2 lower;
+    double edge;
+};
+
+/// What may be positive or negative over a cell and a margin about it, in cells.
+struct Range {
+    double least;
+    double most;
+};
+
+Range range_over(const interop::LightMeshSplit& split, const Cell& cell, double margin) {
+    const bool by_b2 = (split.first & interop::LIGHT_MESH_BY_B2) != 0;
+    const auto slope = static_cast<double>(split.slope);
+    const glm::dvec2 slopes = by_b2 ? glm::dvec2(slope, 1.0) : glm::dvec2(1.0, slope);
+    const glm::dvec2 middle = cell.lower + 0.5 * cell.edge;
+    const double value = static_cast<double>(split.constant) + slopes.x * middle.x + slopes.y * middle.y;
+    const double reach = (0.5 + margin) * cell.edge * (std::abs(slopes.x) + std::abs(slopes.y));
+    return {value - reach, value + reach};
 }
 
 class Packer {
   public:
-    explicit Packer(const LightMesh& mesh) : mesh_(mesh), numbers_(mesh.points.size(), interop::NONE) {}
+    explicit Packer(const LightMesh& mesh) : mesh_(mesh) {}
 
     PackedMesh pack(std::uint32_t roots) {
         packed_.nodes.resize(roots);
-        for (std::uint32_t root = 0; root < roots; ++root) {
-            work_.push_back({{root, 0, kWhole}, root});
-            while (!work_.empty()) {
-                const Work next = work_.back();
-                work_.pop_back();
-                pack(next.item, next.target);
-            }
-        }
-        UTSURI_CHECK_LE(packed_.nodes.size(), kMostPackedNodes);
+        for (std::uint32_t root = 0; root < roots; ++root)
+            packed_.nodes[root] = std::bit_cast<MeshTexel>(pack_root(root));
+        UTSURI_CHECK_LE(packed_.nodes.size(), std::size_t{interop::LIGHT_MESH_INDEX});
+        UTSURI_CHECK_LE(packed_.sides.size(), std::size_t{interop::LIGHT_MESH_INDEX});
         return std::move(packed_);
     }
 
   private:
-    struct Work {
-        Item item;
-        std::uint32_t target;  ///< where it becomes a packed node
-    };
+    interop::LightMeshRoot pack_root(std::uint32_t root) {
+        const MeshNode& node = mesh_.nodes[root];
+        if (node.split == kMeshLeaf && node.points[0] == interop::NONE) return {interop::NONE, 0, 0, 0};
+        leaves_ = 0;
+        const std::uint32_t tree = pack_node(root, kWhole);
+        if (leaves_ == 1) return {tree, 0, 0, 0};
+        const auto rows = static_cast<std::uint32_t>(
+            std::ceil(std::sqrt(2.0 * static_cast<double>(kCellsPerLeaf * leaves_))));
+        return {tree, rows, add_grid(tree, rows), 0};
+    }
 
-    void pack(const Item& item, std::uint32_t target) {
-        const MeshNode& node = mesh_.nodes[item.node];
-        if (node.split == kMeshLeaf) {
-            pack_leaf(item, target);
-        } else if (node.share == 0.5f) {
-            pack_halvings(item, target);
-        } else {
-            pack_cut(item, target);
+    /// @returns what refers to it
+    std::uint32_t pack_node(std::uint32_t index, const Coordinates& coordinates) {
+        const MeshNode& node = mesh_.nodes[index];
+        if (node.split == kMeshLeaf) return pack_leaf(node, coordinates);
+        const auto place = static_cast<std::uint32_t>(packed_.nodes.size());
+        packed_.nodes.emplace_back();
+        const Split split = split_of(node, coordinates);
+        std::array<std::uint32_t, 2> children{};
+        for (std::uint32_t i = 0; i < 2; ++i)
+            children[i] = pack_node(node.child + i, split.children[i]);
+        packed_.nodes[place] =
+            std::bit_cast<MeshTexel>(scaled_split(split.beyond, node.share != 0.5f, children));
+        return place;
+    }
+
+    std::uint32_t pack_leaf(const MeshNode& node, const Coordinates& coordinates) {
+        ++leaves_;
+        const auto first = static_cast<std::uint32_t>(packed_.sides.size());
+        std::uint32_t reference = interop::LIGHT_MESH_LEAF | first;
+        if (add_side(node, coordinates, &interop::LightMeshPoint::front))
+            reference |= interop::LIGHT_MESH_FRONT;
+        if (add_side(node, coordinates, &interop::LightMeshPoint::back))
+            reference |= interop::LIGHT_MESH_BACK;
+        return reference;
+    }
+
+    /// @returns false if it is black
+    bool add_side(const MeshNode& node, const Coordinates& coordinates,
+                  glm::vec3 interop::LightMeshPoint::*light) {
+        std::array<glm::dvec3, 3> linear{};  // constant, along b1, along b2
+        glm::vec3 most(0.0f);
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (node.points[i] == interop::NONE) return false;
+            const glm::vec3 at_corner = mesh_.points[node.points[i]].*light;
+            most = glm::max(most, at_corner);
+            for (int c = 0; c < 3; ++c)
+                linear[static_cast<std::size_t>(c)] += coordinates[i][c] * glm::dvec3(at_corner);
         }
+        if (most == glm::vec3(0.0f)) return false;
+        packed_.sides.push_back(
+            {glm::vec3(linear[0]), most.x, glm::vec3(linear[1]), most.y, glm::vec3(linear[2]), most.z});
+        return true;
     }
 
-    void pack_leaf(const Item& item, std::uint32_t target) {
-        std::array<std::uint32_t, 3> points{};
-        for (std::uint32_t i = 0; i < 3; ++i)
-            points[i] = number_of(mesh_.nodes[item.node].points[(item.corner + i) % 3]);
-        packed_.nodes[target] = {interop::LIGHT_MESH_LEAF, points[0], points[1], points[2]};
-    }
-
-    /// Of a point among the packed ones.
-    std::uint32_t number_of(std::uint32_t point) {
-        if (point == interop::NONE) return interop::NONE;
-        std::uint32_t& number = numbers_[point];
-        if (number == interop::NONE) {
-            number = static_cast<std::uint32_t>(packed_.points.size());
-            packed_.points.push_back(mesh_.points[point]);
-        }
-        return number;
-    }
-
-    void pack_halvings(const Item& item, std::uint32_t target) {
-        std::vector<Item> parts = {item};
-        std::uint32_t halvings = 0;
-        while (halvings == 0 || (halvings < kMostHalvings && are_halved_alike(parts))) {
-            std::vector<Item> next;
-            for (const Item& part : parts) {
-                const MeshNode& node = mesh_.nodes[part.node];
-                const SplitGradients split = split_gradients(node, part.gradients);
-                next.push_back({node.child, kNextOfFirst, split.children[0]});
-                next.push_back({node.child + 1, kNextOfSecond, split.children[1]});
+    /// @returns its first word
+    std::uint32_t add_grid(std::uint32_t tree, std::uint32_t rows) {
+        const std::size_t first_texel = packed_.nodes.size();
+        const std::uint64_t cells = std::uint64_t{rows} * (rows + 1) / 2;
+        packed_.nodes.resize(first_texel + (cells + 3) / 4);
+        std::size_t word = 0;
+        for (std::uint32_t j = 0; j < rows; ++j) {
+            for (std::uint32_t i = 0; i + j < rows; ++i, ++word) {
+                const Cell cell{glm::dvec2(i, j) / static_cast<double>(rows), 1.0 / rows};
+                packed_.nodes[first_texel + word / 4][word % 4] = part_of(cell, tree);
             }
-            parts = std::move(next);
-            ++halvings;
         }
-        const std::uint32_t child = add(parts);
-        packed_.nodes[target] = {head(interop::LIGHT_MESH_HALVED, split_edge(item), halvings, child), 0, 0,
-                                 0};
+        return static_cast<std::uint32_t>(4 * first_texel);
     }
 
-    void pack_cut(const Item& item, std::uint32_t target) {
-        const MeshNode& node = mesh_.nodes[item.node];
-        const SplitGradients split = split_gradients(node, item.gradients);
-        const std::uint32_t child =
-            add({{node.child, 0, split.children[0]}, {node.child + 1, 0, split.children[1]}});
-        packed_.nodes[target] = {head(interop::LIGHT_MESH_CUT, split_edge(item), 0, child),
-                                 std::bit_cast<std::uint32_t>(node.share), bits_of(std::abs(split.beyond.x)),
-                                 bits_of(std::abs(split.beyond.y))};
-    }
-
-    /// The edge at which a node is split, from the corner that corners are counted from.
-    [[nodiscard]] std::uint32_t split_edge(const Item& item) const {
-        return (mesh_.nodes[item.node].split + 3 - item.corner) % 3;
-    }
-    /// Whether all parts of a halved node are halved where their newest corner looks.
-    [[nodiscard]] bool are_halved_alike(const std::vector<Item>& parts) const {
-        return std::all_of(parts.begin(), parts.end(), [&](const Item& part) {
-            const MeshNode& node = mesh_.nodes[part.node];
-            return node.split != kMeshLeaf && node.share == 0.5f && split_edge(part) == 0;
-        });
-    }
-
-    /// @returns where the first of some items becomes a node; the others follow
-    std::uint32_t add(const std::vector<Item>& items) {
-        const auto first = static_cast<std::uint32_t>(packed_.nodes.size());
-        packed_.nodes.resize(packed_.nodes.size() + items.size());
-        for (std::size_t i = items.size(); i-- > 0;)
-            work_.push_back({items[i], first + static_cast<std::uint32_t>(i)});
-        return first;
+    /// The smallest part of a tree that holds all of a cell and what is about it.
+    [[nodiscard]] std::uint32_t part_of(const Cell& cell, std::uint32_t tree) const {
+        while ((tree & interop::LIGHT_MESH_LEAF) == 0) {
+            const auto split =
+                std::bit_cast<interop::LightMeshSplit>(packed_.nodes[tree & interop::LIGHT_MESH_INDEX]);
+            const bool is_cut = (split.second & interop::LIGHT_MESH_CUT) != 0;
+            const Range range = range_over(split, cell, is_cut ? kCutMargin : kRounding);
+            if (range.least <= 0.0 && range.most >= 0.0) break;
+            tree = range.least > 0.0 ? split.second : split.first;
+        }
+        return tree;
     }
 
     const LightMesh& mesh_;
     PackedMesh packed_;
-    std::vector<std::uint32_t> numbers_;  ///< of points among the packed ones; NONE before they are
-    std::vector<Work> work_;              ///< the next one last, so that what is near lies together
+    std::uint64_t leaves_ = 0;  ///< of the triangle that is packed
 };
 
 }  // namespace
+
+PackedBytes packed_bytes_per_point() {
+    constexpr std::uint64_t kLeavesPerPoint = 2;
+    // A grid has kCellsPerLeaf cells and, as rows are rounded up, at most half as many again.
+    constexpr std::uint64_t kCellBytes = kCellsPerLeaf * sizeof(std::uint32_t) * 3 / 2;
+    return {kLeavesPerPoint * (sizeof(interop::LightMeshSplit) + kCellBytes),
+            kLeavesPerPoint * 2 * sizeof(interop::LightMeshSide)};
+}
+
+std::uint64_t most_packed_points(std::uint64_t triangles, std::uint64_t buffer_bytes) {
+    const PackedBytes per_point = packed_bytes_per_point();
+    const std::uint64_t bytes =
+        std::min<std::uint64_t>(buffer_bytes, std::uint64_t{interop::LIGHT_MESH_INDEX} * sizeof(MeshTexel));
+    const std::uint64_t roots = std::min(bytes, triangles * sizeof(MeshTexel));
+    return std::min((bytes - roots) / per_point.nodes, buffer_bytes / per_point.sides);
+}
 
 PackedMesh pack(const LightMesh& mesh, std::uint32_t roots) {
     return Packer(mesh).pack(roots);
