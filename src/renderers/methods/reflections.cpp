@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reflection axis: a new reflection is what renders it and a line here.
+#include "renderers/methods/hybrid_tracer.h"
 #include "renderers/methods/method.h"
 #include "renderers/methods/raster_renderer.h"
 #include "renderers/methods/ray_tracer.h"
@@ -31,6 +32,7 @@ std::unique_ptr<Renderer> make_planar(const RendererInput& input, const RenderSe
 /// look curved mirrors up by place alone: with a tolerance of radiance there are none.
 std::unique_ptr<Renderer> make_hybrid(const RendererInput& input, const RenderSettings& settings,
                                       const MapSettings& maps) {
+    if (costs_less_traced(input.data, settings)) return std::make_unique<HybridTracer>(input, settings);
     const bool draws_mirrored_views =
         maps.tolerance.of == Tolerance::Of::place && !find_plane_mirrors(input.data).mirrors.empty();
     return draws_mirrored_views ? make_planar<MapKind::hybrid>(input, settings, maps)
