@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/command.h"
 #include "cli/output.h"
+#include "cli/reference_options.h"
 #include "cli/scene_session.h"
 #include "compare/comparison/comparison_json.h"
 #include "compare/comparison/comparison_table.h"
@@ -24,7 +25,7 @@ struct CompareOptions {
     std::string light = "direct";
     std::string methods;
     std::uint32_t samples = 16;
-    std::uint32_t reference_samples = 96;
+    ReferenceOptions reference;
     std::optional<double> fail_above;
     bool predictions = false;
 };
@@ -49,7 +50,7 @@ ComparisonSettings settings_of(const CompareOptions& options) {
     settings.light = &find_light(options.light);
     settings.methods = listed_methods(*settings.light, options.methods);
     settings.samples = options.samples;
-    settings.reference_samples = options.reference_samples + options.reference_samples % 2;
+    apply(options.reference, settings);
     settings.exposure = options.picture.exposure;
     settings.predictions = options.predictions;
     return settings;
@@ -95,11 +96,8 @@ void add_compare_command(CLI::App& app, const std::string& command_line, Action&
     command->add_option("--spp", options->samples, "Samples per pixel of each method")
         ->check(CLI::Range(1u, 1u << 24))
         ->capture_default_str();
-    command
-        ->add_option("--reference-spp", options->reference_samples,
-                     "Samples per pixel of the reference, made even")
-        ->check(CLI::Range(2u, 1u << 24))
-        ->capture_default_str();
+    add_reference_options(*command, options->reference,
+                          "as many as make its mean squared error a tenth of the least that is told");
     command
         ->add_option("--fail-above", options->fail_above,
                      "Exit with 1 if the relMSE of a method is above this")

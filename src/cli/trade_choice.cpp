@@ -86,7 +86,6 @@ ComparisonSettings trade_settings(const PictureOptions& picture, const std::vect
     settings.light = &light;
     settings.methods = methods;
     settings.samples = kTradeSamples;
-    settings.reference_samples = kTradeReferenceSamples;
     settings.exposure = picture.exposure;
     return settings;
 }

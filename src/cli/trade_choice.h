@@ -26,7 +26,6 @@ void add_choice_options(CLI::App& command, ChoiceOptions& options);
 
 /// How far a trade goes if the user does not say: the office at 512 x 384 takes some minutes on two cores.
 inline constexpr std::uint32_t kTradeSamples = 64;
-inline constexpr std::uint32_t kTradeReferenceSamples = 256;
 
 /// What to sweep, around the settings of the picture.
 ComparisonSettings trade_settings(const PictureOptions& picture, const std::vector<Method>& methods,

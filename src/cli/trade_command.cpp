@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/command.h"
 #include "cli/output.h"
+#include "cli/reference_options.h"
 #include "cli/scene_session.h"
 #include "cli/trade_choice.h"
 #include "compare/trade/run_trade.h"
@@ -27,7 +28,7 @@ struct TradeOptions {
     std::string light = "direct";
     std::string methods;
     std::uint32_t most_samples = kTradeSamples;
-    std::uint32_t reference_samples = kTradeReferenceSamples;
+    ReferenceOptions reference;
 };
 
 ComparisonSettings settings_of(const TradeOptions& options) {
@@ -35,7 +36,7 @@ ComparisonSettings settings_of(const TradeOptions& options) {
     ComparisonSettings settings =
         trade_settings(options.picture, listed_methods(light, options.methods), light);
     settings.samples = options.most_samples;
-    settings.reference_samples = options.reference_samples + options.reference_samples % 2;
+    apply(options.reference, settings);
     return settings;
 }
 
@@ -106,12 +107,7 @@ void add_trade_command(CLI::App& app, const std::string& command_line, Action& a
                      "Most samples per pixel; powers of two up to it are tried")
         ->check(CLI::Range(1u, 1u << 24))
         ->capture_default_str();
-    command
-        ->add_option("--reference-spp", options->reference_samples,
-                     "Samples per pixel of the reference, made even; its noise bounds the errors that can be "
-                     "told")
-        ->check(CLI::Range(2u, 1u << 24))
-        ->capture_default_str();
+    add_reference_options(*command, options->reference, "ten times --most-spp");
     add_choice_options(*command, options->choice);
     add_picture_options(*command, options->picture);
     add_common_options(*command, options->common);

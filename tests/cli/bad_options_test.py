@@ -48,6 +48,9 @@ class BadNumbers(BadOptions):
             for name in ("compare", "trade"):
                 self.refuse(("--reference-spp", value, "2 to 16777216"),
                             name, "scene.glb", "--reference-spp", value)
+        for name in ("compare", "trade"):
+            self.refuse(("'soon'", "5min"), name, "scene.glb", "--reference-time", "soon")
+            self.refuse(("--reference-spp",), name, "scene.glb", "--reference-time", "2s", "--reference-spp", "8")
 
     def test_map_sizes(self):
         values = ("0", "4097", "-1", "many", "1.5", "nan", "fit ", "Fit", "fit:8")

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """`utsuri compare`: the files it leaves, compare.json, thresholds, subsets of the methods."""
+import json
 import pathlib
 import tempfile
 import unittest
@@ -215,6 +216,21 @@ class CompareOthers(Compare):
             for name in ("rays", "prepare_rays", "peak_bytes", "metrics"):
                 self.assertEqual(with_them[name], without[name], name)
             self.assertNotIn("reflection_errors", without)
+
+    def test_reference_takes_the_samples_that_the_least_error_needs(self):
+        picture = ("--size", "64x48", "--spp", "2", "--map-size", "16", "--map-spp", "1", "--light-spp", "2")
+        values = self.json_of("compare", self.scene("cornell"), "--methods", "trace", *picture)
+        reference = values["reference"]
+        least = min(method["metrics"]["mse"] for method in values["methods"])
+        self.assertLessEqual(reference["noise_mse"], 0.1 * least)
+        # An exact method's error is its noise: 9 times its samples leave a tenth of what both make together.
+        self.assertGreaterEqual(reference["settings"]["samples"], 18)
+        # No time for more than tells how long a sample takes: what cannot be told is named.
+        done = self.succeed("compare", self.scene("cornell"), "--methods", "trace", *picture,
+                            "--reference-time", "1e-6s", "-o", "short")
+        self.assertIn("It is more than a tenth of the MSE of direct/trace", done.stdout)
+        short = json.loads((self.scratch / "short/compare.json").read_text())
+        self.assertEqual(short["reference"]["settings"]["samples"], 2)
 
     def test_odd_reference_becomes_even(self):
         values = self.compare("cornell", "--methods", "trace", reference_samples=3)

@@ -70,6 +70,9 @@ TEST_F(TradeKey, FollowsCameraPictureOptionsAndSweep) {
     other.reference_samples = 64;
     EXPECT_NE(key(small_scene(), camera(), other), before);
     other = settings();
+    other.reference_seconds = 64.0;
+    EXPECT_NE(key(small_scene(), camera(), other), before);
+    other = settings();
     other.maps.size = 64;
     EXPECT_NE(key(small_scene(), camera(), other), before);
     other = settings();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/comparison/comparison_table.h"
 
+#include "compare/comparison/reference.h"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -78,6 +81,19 @@ std::string displacement_rows(const Comparison& comparison) {
            rows;
 }
 
+/// Which errors the noise of the reference makes uncertain.
+std::string noise_note(const Comparison& comparison) {
+    const std::vector<Method> near = methods_near_noise(comparison);
+    if (near.empty()) return {};
+    std::vector<std::string> names;
+    for (const Method& method : near)
+        names.push_back(method_name(method));
+    return fmt::format(
+        "It is more than a tenth of the MSE of {}: these are not told apart by less than that. A longer "
+        "--reference-time or a larger --reference-spp tells more.\n",
+        fmt::join(names, ", "));
+}
+
 }  // namespace
 
 std::string format_seconds(double seconds) {
@@ -121,10 +137,9 @@ std::string comparison_table(const Comparison& comparison) {
     if (std::isnan(comparison.reference_noise)) {
         text += "\nThe reference's own noise was not estimated: that takes an even number of samples.\n";
     } else {
-        text += fmt::format(
-            "\nThe reference's own noise: MSE {:.2g}, standard error {:.2g} % of the mean. Errors near it "
-            "tell nothing.\n",
-            comparison.reference_noise_mse, 100.0 * comparison.reference_noise);
+        text += fmt::format("\nThe reference's own noise: MSE {:.2g}, standard error {:.2g} % of the mean.\n",
+                            comparison.reference_noise_mse, 100.0 * comparison.reference_noise);
+        text += noise_note(comparison);
     }
     for (const MethodFailure& failure : comparison.failures)
         text += fmt::format("\n{} failed: {}\n", method_name(failure.method), failure.message);

@@ -81,11 +81,10 @@ function metric(metrics, key) {
     return key === "psnr" && metrics.psnr === null && metrics.pixels > 0 ? Infinity : metrics[key];
 }
 
-/// A method without any systematic error and with as many samples as the reference has this MSE in
-/// expectation: the variances of both pictures add up.
-const noiseMse = 2 * data.reference.noise_mse;
+/// As kReferenceShare in reference.h: above this share of an error the reference's own noise makes it uncertain.
+const referenceShare = 0.1;
 const noiseIsKnown = data.reference.noise_mse !== null;
-const withinNoise = (mse) => noiseIsKnown && mse !== null && mse <= noiseMse;
+const withinNoise = (mse) => noiseIsKnown && mse !== null && data.reference.noise_mse > referenceShare * mse;
 
 function errorGroup(title, key, markNoise) {
     const metricsOf = (c) => data.methods.map((method) => metric(method[key], c.key));
@@ -104,8 +103,7 @@ function noiseRow() {
     const relative = data.reference.noise;
     const text = noiseIsKnown
         ? `Its own noise: MSE ${significant(data.reference.noise_mse)}, a standard error of ` +
-          `${significant(100 * relative)}${thinSpace}% of the mean. Errors of this order are noise ` +
-          "and tell nothing."
+          `${significant(100 * relative)}${thinSpace}% of the mean.`
         : "Its own noise was not estimated; that takes an even number of samples.";
     return make("tr", { className: "reference" }, rowHead("reference"),
                 make("td", { className: "prose", colSpan: errorColumns.length }, make("div", {}, text)));
@@ -123,8 +121,8 @@ function fillErrorTable() {
                  errorGroup(reflectiveTitle, "metrics_reflective", false));
     const notes = ["Highlighted: the best method of a column."];
     if (data.methods.some((m) => withinNoise(m.metrics.mse))) {
-        notes.push("“noise”: no more than twice the reference's own MSE, which an exact method with as " +
-                   "many samples would show too. More samples in the reference (--reference-spp) tell more.");
+        notes.push("“noise”: more than a tenth of this MSE is the reference's own. A longer --reference-time or a " +
+                   "larger --reference-spp tells more.");
     }
     if (reflective === 0) {
         notes.push(`${missing} no reflective pixel in this view, so there is nothing to measure.`);

@@ -2,15 +2,12 @@
 #include "compare/comparison/run_comparison.h"
 
 #include "compare/comparison/measure.h"
+#include "compare/comparison/reference.h"
 #include "renderers/film/aov.h"
-
-#include "image/tone.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
-#include <optional>
 
 namespace utsuri {
 namespace {
@@ -32,17 +29,15 @@ Picture render(Session& session, const PictureSettings& settings, std::uint32_t 
     return picture;
 }
 
-/// Exact wherever it goes.
-const ReflectionMethod& reference_reflection() {
-    return find_reflection("trace");
-}
-
+/// @param held_bytes of device memory that are not the method's
 MethodResult render_method(Session& session, const Camera& camera, const Method& method,
-                           const ComparisonSettings& settings, Progress& progress) {
+                           const ComparisonSettings& settings, std::uint64_t held_bytes, Progress& progress) {
     const PictureSettings picture_settings{method, camera, settings.render, settings.maps,
                                            method_name(method)};
     const Picture picture = render(session, picture_settings, settings.samples, progress);
-    return collect_result(picture_settings, picture, session.memory());
+    MemoryUsage memory = session.memory();
+    memory.peak -= held_bytes;
+    return collect_result(picture_settings, picture, memory);
 }
 
 /// After all methods have been timed, so that drivers do not know a method's pipelines from predictions.
@@ -69,27 +64,19 @@ void add_reflection_errors(Comparison& comparison, Session& session, const Camer
     }
 }
 
-/// The reference with its noise and exposure, into a comparison.
-void add_reference(Comparison& comparison, Session& session, const Camera& camera,
-                   const ComparisonSettings& settings, Progress& progress) {
-    // It has samples of its own: with the methods' seed its errors would be theirs.
-    RenderSettings render_settings = settings.render;
-    render_settings.seed = ~settings.render.seed;
-    const Method method{settings.light, &reference_reflection()};
-    const PictureSettings picture_settings{method, camera, render_settings, settings.maps,
-                                           fmt::format("reference {}", method_name(method))};
-    const Picture picture = render(session, picture_settings, settings.reference_samples, progress);
-    if (picture.samples() == 0) throw Interrupted();
-    comparison.reference = collect_result(picture_settings, picture, session.memory());
-    comparison.reference.image_file = "reference.exr";
-    comparison.reference_half = picture.half_image(0);
-    const double scale = normalisation(comparison.reference.image);
-    std::optional<NoiseEstimate> noise;
-    if (picture.samples() % 2 == 0) noise = picture.noise();
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    comparison.reference_noise = noise ? noise->relative : kUnknown;
-    comparison.reference_noise_mse = noise ? noise->mse * scale * scale : kUnknown;
-    comparison.exposure = settings.exposure.value_or(auto_exposure(comparison.reference.image));
+/// Adds samples to the reference until it is right enough for all methods, or its time is over, and measures
+/// them again. If that fails the reference stays as it was told.
+void refine_reference(Comparison& comparison, Reference& reference, Progress& progress) try {
+    while (!progress.cancelled() && reference.grow(needed_reference_samples(comparison), progress)) {
+        reference.tell(comparison);
+        for (MethodResult& result : comparison.methods) {
+            progress.begin(fmt::format("{}, measuring", method_name(result.method)));
+            measure_errors(comparison, result);
+        }
+    }
+} catch (const Error& error) {
+    comparison.failures.push_back(
+        {comparison.reference.method, fmt::format("reference: {}", error.what()), error.exit_code()});
 }
 
 }  // namespace
@@ -108,11 +95,14 @@ Comparison run_comparison(Session& session, const Camera& camera, const Comparis
     comparison.reflective_pixels =
         static_cast<std::uint64_t>(std::count(comparison.reflective.begin(), comparison.reflective.end(), 1));
 
-    add_reference(comparison, session, camera, settings, progress);
+    Reference reference(session, camera, settings);
+    reference.grow(first_reference_samples(settings), progress);
+    reference.tell(comparison);
     for (const Method& method : settings.methods) {
         if (progress.cancelled()) break;
         try {
-            MethodResult result = render_method(session, camera, method, settings, progress);
+            MethodResult result =
+                render_method(session, camera, method, settings, reference.held_bytes(), progress);
             if (result.samples == 0) break;
             progress.begin(fmt::format("{}, measuring", method_name(method)));
             measure_errors(comparison, result);
@@ -126,6 +116,7 @@ Comparison run_comparison(Session& session, const Camera& camera, const Comparis
             comparison.failures.push_back({method, error.what(), error.exit_code()});
         }
     }
+    if (!settings.reference_samples) refine_reference(comparison, reference, progress);
     if (settings.predictions) add_reflection_errors(comparison, session, camera, settings, progress);
     comparison.interrupted = progress.cancelled();
     return comparison;

@@ -12,9 +12,12 @@ namespace utsuri {
 struct ComparisonSettings {
     RenderSettings render;
     const LightMethod* light = &light_methods().front();
-    std::vector<Method> methods;            ///< all on the light axis `light`
-    std::uint32_t samples = 16;             ///< per pixel and method
-    std::uint32_t reference_samples = 128;  ///< even, so that the reference's noise can be told
+    std::vector<Method> methods;  ///< all on the light axis `light`
+    std::uint32_t samples = 16;   ///< per pixel and method
+    /// Of the reference, even, so that its noise can be told; not set: ten times `samples`, and more until
+    /// its mean squared error is a tenth of the least that a method has, within reference_seconds.
+    std::optional<std::uint32_t> reference_samples;
+    double reference_seconds = 120.0;  ///< wall time of the reference's samples, about
     MapSettings maps;
     std::optional<double> exposure;  ///< stops; found from the reference if not set
     bool predictions = false;        ///< find MethodResult::reflection_errors

@@ -96,24 +96,26 @@ Json trade_key(const Session& session, const Camera& camera, const ComparisonSet
     Json words = Json::array();
     for (const std::string& option : options)
         words.push_back(valid_utf8(option));
-    return {{"schema", kTradeSchema},
-            {"utsuri", kVersion},
-            {"device", device_to_json(session.device())},
-            {"scene", hash_scene(session.scene())},
-            {"camera",
-             {vector_to_json(camera.position), vector_to_json(camera.right), vector_to_json(camera.up),
-              vector_to_json(camera.forward), camera.vertical_fov}},
-            {"origin", vector_to_json(session.scene().origin)},
-            {"width", settings.render.width},
-            {"height", settings.render.height},
-            {"options", words},
-            {"polyhedron", planes_to_json(settings.maps.polyhedron)},
-            {"proxy", planes_to_json(settings.maps.proxy)},
-            {"light", settings.light->name},
-            {"kept_light", settings.render.kept_light},
-            {"sweep", sweep_to_json(settings)},
-            {"samples", settings.samples},
-            {"reference_samples", settings.reference_samples}};
+    return {
+        {"schema", kTradeSchema},
+        {"utsuri", kVersion},
+        {"device", device_to_json(session.device())},
+        {"scene", hash_scene(session.scene())},
+        {"camera",
+         {vector_to_json(camera.position), vector_to_json(camera.right), vector_to_json(camera.up),
+          vector_to_json(camera.forward), camera.vertical_fov}},
+        {"origin", vector_to_json(session.scene().origin)},
+        {"width", settings.render.width},
+        {"height", settings.render.height},
+        {"options", words},
+        {"polyhedron", planes_to_json(settings.maps.polyhedron)},
+        {"proxy", planes_to_json(settings.maps.proxy)},
+        {"light", settings.light->name},
+        {"kept_light", settings.render.kept_light},
+        {"sweep", sweep_to_json(settings)},
+        {"samples", settings.samples},
+        {"reference_samples", settings.reference_samples ? Json(*settings.reference_samples) : Json(nullptr)},
+        {"reference_seconds", settings.reference_seconds}};
 }
 
 std::filesystem::path trade_file(const std::filesystem::path& folder, const Json& key) {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/reference_options.h"
+
+#include "cli/options.h"
+
+#include <fmt/format.h>
+
+namespace utsuri {
+
+void add_reference_options(CLI::App& command, ReferenceOptions& options, const std::string& samples_taken) {
+    auto* const samples =
+        command
+            .add_option("--reference-spp", options.samples,
+                        fmt::format("Samples per pixel of the reference, made even [{}]", samples_taken))
+            ->check(CLI::Range(2u, 1u << 24));
+    command
+        .add_option("--reference-time", options.time,
+                    "About the longest time for the reference's samples, such as 30s or 5min")
+        ->type_name("TIME")
+        ->capture_default_str()
+        ->excludes(samples);
+}
+
+void apply(const ReferenceOptions& options, ComparisonSettings& settings) {
+    settings.reference_seconds = parse_duration(options.time);
+    settings.reference_samples = options.samples;
+    if (options.samples) settings.reference_samples = *options.samples + *options.samples % 2;
+}
+
+}  // namespace utsuri
