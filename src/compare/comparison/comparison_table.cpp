@@ -86,6 +86,7 @@ std::string noise_note(const Comparison& comparison) {
     const std::vector<Method> near = methods_near_noise(comparison);
     if (near.empty()) return {};
     std::vector<std::string> names;
+    names.reserve(near.size());
     for (const Method& method : near)
         names.push_back(method_name(method));
     return fmt::format(
