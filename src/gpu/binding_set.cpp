@@ -24,15 +24,17 @@ const Buffer& buffer_for(const SpirvBinding& binding, const std::string& pipelin
     return *found->second;
 }
 
-vk::raii::BufferView create_view(const Device& device, const std::string& pipeline, const Buffer& buffer) {
+void check_size(const Device& device, const std::string& pipeline, const Buffer& buffer, BindingKind kind) {
+    const std::uint64_t most = most_bytes(device.summary(), kind);
+    if (buffer.size() <= most) return;
+    throw DeviceError("bind buffers of", pipeline,
+                      fmt::format("'{}' has {} bytes; a kernel on this device can see at most {} bytes "
+                                  "of it; use a smaller scene, or another device",
+                                  buffer.name(), buffer.size(), most));
+}
+
+vk::raii::BufferView create_view(const Device& device, const Buffer& buffer) {
     UTSURI_CHECK_EQ(buffer.size() % kTexelBytes, 0u);
-    const std::uint64_t most = kTexelBytes * device.summary().texel_elements;
-    if (buffer.size() > most) {
-        throw DeviceError("bind buffers of", pipeline,
-                          fmt::format("'{}' has {} bytes; a kernel on this device can see at most {} bytes "
-                                      "of it; use a smaller scene, or another device",
-                                      buffer.name(), buffer.size(), most));
-    }
     return device.handle().createBufferView({{}, buffer.handle(), kTexelFormat, 0, buffer.size()});
 }
 
@@ -45,18 +47,6 @@ vk::raii::DescriptorPool create_pool(const Device& device, std::uint32_t descrip
 }
 
 }  // namespace
-
-vk::DescriptorType descriptor_type(BindingKind kind) {
-    switch (kind) {
-        case BindingKind::uniform_block:
-            return vk::DescriptorType::eUniformBuffer;
-        case BindingKind::texels:
-            return vk::DescriptorType::eUniformTexelBuffer;
-        case BindingKind::storage:
-            break;
-    }
-    return vk::DescriptorType::eStorageBuffer;
-}
 
 BindingSet::BindingSet(const Device& device, const std::string& pipeline,
                        std::span<const SpirvBinding> declared,
@@ -71,10 +61,11 @@ BindingSet::BindingSet(const Device& device, const std::string& pipeline,
     std::vector<vk::WriteDescriptorSet> writes;
     for (const SpirvBinding& binding : declared) {
         const Buffer& buffer = buffer_for(binding, pipeline, buffers);
+        check_size(device, pipeline, buffer, binding.kind);
         vk::WriteDescriptorSet write(*sets_[binding.set], binding.number, 0, 1,
                                      descriptor_type(binding.kind));
         if (binding.kind == BindingKind::texels) {
-            views_.push_back(create_view(device, pipeline, buffer));
+            views_.push_back(create_view(device, buffer));
             texels.push_back(*views_.back());
             write.pTexelBufferView = &texels.back();
         } else {

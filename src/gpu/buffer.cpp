@@ -39,14 +39,16 @@ DeviceMemory bind_memory(Device& device, const vk::raii::Buffer& buffer,
 }
 
 /// @throws DeviceError if no kernel could see all of the buffer
-std::uint64_t checked_size(const Device& device, std::uint64_t bytes, const std::string& name) {
+std::uint64_t checked_size(const Device& device, std::uint64_t bytes, const std::string& name,
+                           BindingKind kind) {
     UTSURI_CHECK_LT(0u, bytes);
-    if (bytes > device.summary().storage_range_bytes) {
+    const std::uint64_t most = most_bytes(device.summary(), kind);
+    if (bytes > most) {
         throw DeviceError(
             "create buffer", describe(device, bytes, name),
             fmt::format("a kernel on this device can see at most {} bytes of a buffer; use a smaller "
                         "scene or picture, or another device",
-                        device.summary().storage_range_bytes));
+                        most));
     }
     return bytes;
 }
@@ -62,9 +64,9 @@ void barrier(const vk::raii::CommandBuffer& commands) {
 
 }  // namespace
 
-Buffer::Buffer(Device& device, std::uint64_t bytes, std::string name)
+Buffer::Buffer(Device& device, std::uint64_t bytes, std::string name, BindingKind kind)
     : device_(&device),
-      size_(checked_size(device, bytes, name)),
+      size_(checked_size(device, bytes, name, kind)),
       name_(std::move(name)),
       buffer_(vulkan_call("create buffer", describe(device, bytes, name_),
                           [&] { return create_buffer(device, bytes); })),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gpu/binding_kind.h"
 #include "gpu/device_memory.h"
 
 #include <algorithm>
@@ -21,14 +22,14 @@ struct Upload {
     std::span<const std::byte> bytes;
 };
 
-/// A storage buffer with its own memory, in device memory where there is some. It can also hold a uniform
-/// block, or the arguments of indirect draws. Move-only.
+/// A buffer with its own memory, in device memory where there is some. Kernels may read it in any way that it
+/// is not too large for; it can also hold the arguments of indirect draws. Move-only.
 class Buffer {
   public:
-    /// @param bytes at least 1; at most the device's storage range
+    /// @param bytes at least 1; at most what kernels can read of it in the way named last
     /// @param name shown in messages and debuggers
     /// @throws DeviceError naming the buffer and its size if it cannot be had
-    Buffer(Device& device, std::uint64_t bytes, std::string name);
+    Buffer(Device& device, std::uint64_t bytes, std::string name, BindingKind kind = BindingKind::storage);
     Buffer(Buffer&& other) noexcept;
     Buffer& operator=(Buffer&& other) noexcept;
     ~Buffer();
@@ -70,9 +71,11 @@ class Buffer {
 /// A buffer that holds the given records. Without records it holds one zeroed record, because Vulkan has no
 /// empty buffers.
 template <typename Record>
-Buffer make_buffer(Device& device, std::span<const Record> records, std::string name) {
+Buffer make_buffer(Device& device, std::span<const Record> records, std::string name,
+                   BindingKind kind = BindingKind::storage) {
     static_assert(std::is_trivially_copyable_v<Record>);
-    Buffer buffer(device, std::max<std::uint64_t>(records.size_bytes(), sizeof(Record)), std::move(name));
+    Buffer buffer(device, std::max<std::uint64_t>(records.size_bytes(), sizeof(Record)), std::move(name),
+                  kind);
     if (records.empty()) {
         buffer.fill_with_zero();
     } else {

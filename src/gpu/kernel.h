@@ -21,8 +21,8 @@ constexpr std::uint32_t group_count(std::uint32_t invocations) {
     return invocations / interop::WORKGROUP_SIZE + (invocations % interop::WORKGROUP_SIZE != 0 ? 1 : 0);
 }
 
-/// A compute pipeline made from embedded SPIR-V. Its layout follows from the module: storage buffers and
-/// uniform blocks in kDescriptorSets sets, one push constant block. Move-only. The pipeline itself is the
+/// A compute pipeline made from embedded SPIR-V. Its layout follows from the module: buffers of every
+/// BindingKind in kDescriptorSets sets, one push constant block. Move-only. The pipeline itself is the
 /// device's: see PipelineCache.
 class Kernel {
   public:

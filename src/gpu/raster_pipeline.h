@@ -32,7 +32,7 @@ struct ColourState {
 };
 
 /// A graphics pipeline made from embedded SPIR-V: triangles whose vertices the vertex stage pulls from
-/// storage buffers, drawn on both sides. Move-only. The pipeline itself is the device's: see PipelineCache.
+/// buffers, drawn on both sides. Move-only. The pipeline itself is the device's: see PipelineCache.
 class RasterPipeline {
   public:
     /// @param fragment empty for a pipeline that draws depth alone

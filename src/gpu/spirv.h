@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gpu/binding_kind.h"
+
 #include <compare>
 #include <cstdint>
 #include <span>
@@ -18,9 +20,6 @@ struct SpirvDecoration {
 
 /// All decorations of a module, in order.
 std::vector<SpirvDecoration> spirv_decorations(std::span<const std::uint32_t> module);
-
-/// How a kernel sees a buffer.
-enum class BindingKind { storage, uniform_block, texels };
 
 /// A buffer that a module declares.
 struct SpirvBinding {

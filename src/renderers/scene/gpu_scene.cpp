@@ -34,7 +34,7 @@ void fill(Buffer& buffer, const SceneBuffer& content) {
 /// The previous buffer is given back first: there may not be room for both.
 void make_anew(Device& device, std::optional<Buffer>& buffer, const SceneBuffer& content) {
     buffer.reset();
-    buffer.emplace(device, size_on_device(content), content.name);
+    buffer.emplace(device, size_on_device(content), content.name, content.kind);
     fill(*buffer, content);
 }
 

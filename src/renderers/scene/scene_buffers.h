@@ -3,6 +3,8 @@
 
 #include "renderers/scene/scene_data.h"
 
+#include "gpu/binding_kind.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +16,7 @@ namespace utsuri {
 struct SceneBuffer {
     const char* name;       ///< for messages
     std::uint32_t binding;  ///< where kernels find it
+    BindingKind kind;       ///< how they read it
     std::size_t record_bytes;
     std::span<const std::byte> bytes;  ///< what it holds; none where the scene does not require it
 };

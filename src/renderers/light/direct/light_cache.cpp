@@ -72,8 +72,8 @@ LightCache::LightCache(Device& device, const SceneData& data, const GpuScene& sc
       data_(data),
       scene_(scene),
       settings_(settings),
-      nodes_(make_buffer<MeshTexel>(device, {}, "light mesh")),
-      sides_(make_buffer<interop::LightMeshSide>(device, {}, "light on leaves")) {}
+      nodes_(make_buffer<MeshTexel>(device, {}, "light mesh", BindingKind::texels)),
+      sides_(make_buffer<interop::LightMeshSide>(device, {}, "light on leaves", BindingKind::texels)) {}
 
 void LightCache::fill(Progress& progress) {
     if (is_filled()) return;
@@ -98,7 +98,8 @@ void LightCache::update(const SceneChange& change, Progress& progress) {
 void LightCache::simulate(const Told& known, const ChangedSpace& changed, Progress& progress) {
     revision_.reset();  // until all of it is there
     cost_ = {};
-    LightMesher mesher(data_, mesh_settings(data_, settings_, device_.summary().storage_range_bytes));
+    LightMesher mesher(data_,
+                       mesh_settings(data_, settings_, most_bytes(device_.summary(), BindingKind::texels)));
     if (mesher.wanted().empty()) {
         keep(mesher.finish());
         revision_ = scene_.light_revision();
@@ -126,8 +127,9 @@ void LightCache::simulate(const Told& known, const ChangedSpace& changed, Progre
 
 void LightCache::keep(LightMesh mesh) {
     const PackedMesh packed = pack(mesh, static_cast<std::uint32_t>(data_.triangle_infos.size()));
-    Buffer nodes = make_buffer<MeshTexel>(device_, packed.nodes, "light mesh");
-    Buffer sides = make_buffer<interop::LightMeshSide>(device_, packed.sides, "light on leaves");
+    Buffer nodes = make_buffer<MeshTexel>(device_, packed.nodes, "light mesh", BindingKind::texels);
+    Buffer sides =
+        make_buffer<interop::LightMeshSide>(device_, packed.sides, "light on leaves", BindingKind::texels);
     mesh_ = std::move(mesh);
     nodes_ = std::move(nodes);
     sides_ = std::move(sides);
