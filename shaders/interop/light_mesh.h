@@ -23,8 +23,8 @@ INTEROP_CONSTANT LIGHT_MESH_INDEX = (1u << 28u) - 1u;
 struct LightMeshRoot {
     uint tree;        ///< all of it, or NONE where no light is kept
     uint rows;        ///< of a grid of square cells over barycentric coordinates b1 and b2; 0 without one
-    uint first_cell;  ///< among the words of the texels: what holds all of a cell, rows - j cells for row j
-                      ///< of b2
+    uint first_cell;  ///< a LightMeshSplit each, the first that divides the cell, or one whose parts are the
+                      ///< same leaf; rows - j cells for row j of b2
     uint unused;
 };
 
@@ -37,14 +37,15 @@ struct LightMeshSplit {
 };
 
 /// Light on one side of a leaf, cd/m2, in barycentric coordinates of the triangle: constant + b1 along_b1 +
-/// b2 along_b2.
+/// b2 along_b2. What bounds it on the leaf: the upper half of the bits of the most, rounded up, over those of
+/// the least, rounded down.
 struct LightMeshSide {
     vec3 constant;
-    float most_red;  ///< on the leaf
+    uint red_bounds;
     vec3 along_b1;
-    float most_green;
+    uint green_bounds;
     vec3 along_b2;
-    float most_blue;
+    uint blue_bounds;
 };
 
 /// What a white diffuse surface would send out at a point, in cd/m2: irradiance over pi.

@@ -23,13 +23,10 @@ LightMeshSplit light_split(uint index) {
 }
 
 /// The part of the tree that holds all of the grid's cell at a place, and what is on the other side of cuts within a cell of it.
-uint part_at(LightMeshRoot root, vec2 place) {
+uint cell_at(LightMeshRoot root, vec2 place) {
     uint i = min(uint(max(place.x, 0.0) * float(root.rows)), root.rows - 1u);
     uint j = min(uint(max(place.y, 0.0) * float(root.rows)), root.rows - 1u - i);
-    uint word = root.first_cell + j * root.rows - j * (j - 1u) / 2u + i;
-    uvec4 words = texelFetch(light_nodes, int(word >> 2u));
-    uvec2 pair = (word & 2u) != 0u ? words.zw : words.xy;
-    return (word & 1u) != 0u ? pair.y : pair.x;
+    return root.first_cell + j * root.rows - j * (j - 1u) / 2u + i;
 }
 
 /// A place on a triangle, and what is asked about it.
@@ -55,16 +52,18 @@ uint leaf_at(uint part, inout LightQuery query) {
     return part;
 }
 
-/// Light on one side of a leaf. A place that lies beside the leaf by its error gets no more than there is on it.
+/// Light on one side of a leaf. A place that lies beside the leaf by its error gets no more and no less than there is on it.
 vec3 leaf_light(uint leaf, vec2 place, bool front) {
     if ((leaf & (front ? LIGHT_MESH_FRONT : LIGHT_MESH_BACK)) == 0u) return vec3(0.0);
     bool comes_second = !front && (leaf & LIGHT_MESH_FRONT) != 0u;
     int texel = 3 * int((leaf & LIGHT_MESH_INDEX) + (comes_second ? 1u : 0u));
-    vec4 constant = uintBitsToFloat(texelFetch(light_leaves, texel));
-    vec4 along_b1 = uintBitsToFloat(texelFetch(light_leaves, texel + 1));
-    vec4 along_b2 = uintBitsToFloat(texelFetch(light_leaves, texel + 2));
-    vec3 most = vec3(constant.w, along_b1.w, along_b2.w);
-    return clamp(constant.rgb + place.x * along_b1.rgb + place.y * along_b2.rgb, vec3(0.0), most);
+    uvec4 constant = texelFetch(light_leaves, texel);
+    uvec4 along_b1 = texelFetch(light_leaves, texel + 1);
+    uvec4 along_b2 = texelFetch(light_leaves, texel + 2);
+    uvec3 bounds = uvec3(constant.w, along_b1.w, along_b2.w);
+    vec3 light = uintBitsToFloat(constant.rgb) + place.x * uintBitsToFloat(along_b1.rgb) +
+                 place.y * uintBitsToFloat(along_b2.rgb);
+    return clamp(light, uintBitsToFloat(bounds << 16u), uintBitsToFloat(bounds & 0xffff0000u));
 }
 
 /// What a white diffuse surface would send out at a point of a triangle, to one side, cd/m2. A point that may lie on both
@@ -76,7 +75,7 @@ vec3 kept_light(uint triangle, vec2 place, vec2 error, bool front) {
     if (root.tree == NONE) return vec3(0.0);
     uint part = root.tree;
     // Cells know of cuts within a cell of them: where a place is not known as well as that, the whole tree tells.
-    if (root.rows > 0u && all(lessThan(error * float(root.rows), vec2(1.0)))) part = part_at(root, place);
+    if (root.rows > 0u && all(lessThan(error * float(root.rows), vec2(1.0)))) part = cell_at(root, place);
     vec3 light = vec3(0.0);
     float darkest = INFINITY;
     LightQuery query = LightQuery(place, error, false, true);

@@ -7,6 +7,7 @@
 #include "support/light_scenes.h"
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,8 +71,15 @@ Met leaf_at(const PackedMesh& mesh, std::uint32_t part, const glm::dvec2& b) {
         part = beyond > 0.0 ? split.second : split.first;
         ++met.splits;
     }
-    met.leaf = part;
+    met.leaf = part & ~interop::LIGHT_MESH_BY_B2;  // not of the leaf, but of the split that refers to it
     return met;
+}
+
+double least_of(std::uint32_t bounds) {
+    return static_cast<double>(std::bit_cast<float>(bounds << 16));
+}
+double most_of(std::uint32_t bounds) {
+    return static_cast<double>(std::bit_cast<float>(bounds & 0xffff0000u));
 }
 
 double front_light(const PackedMesh& mesh, std::uint32_t leaf, const glm::dvec2& b) {
@@ -79,7 +87,7 @@ double front_light(const PackedMesh& mesh, std::uint32_t leaf, const glm::dvec2&
     const interop::LightMeshSide& side = mesh.sides[leaf & interop::LIGHT_MESH_INDEX];
     const double light = static_cast<double>(side.constant.x) + b.x * static_cast<double>(side.along_b1.x) +
                          b.y * static_cast<double>(side.along_b2.x);
-    return std::clamp(light, 0.0, static_cast<double>(side.most_red));
+    return std::clamp(light, least_of(side.red_bounds), most_of(side.red_bounds));
 }
 
 interop::LightMeshRoot root_of(const PackedMesh& mesh, std::uint32_t triangle) {
@@ -87,26 +95,26 @@ interop::LightMeshRoot root_of(const PackedMesh& mesh, std::uint32_t triangle) {
 }
 
 /// What the grid of a triangle has at a place.
-std::uint32_t part_at(const PackedMesh& mesh, const interop::LightMeshRoot& root, const glm::dvec2& b) {
+std::uint32_t part_at(const interop::LightMeshRoot& root, const glm::dvec2& b) {
     if (root.rows == 0) return root.tree;
     const auto i = std::min(static_cast<std::uint32_t>(b.x * root.rows), root.rows - 1);
     const auto j = std::min(static_cast<std::uint32_t>(b.y * root.rows), root.rows - 1 - i);
-    std::uint32_t word = root.first_cell + i;
+    std::uint32_t cell = root.first_cell + i;
     for (std::uint32_t row = 0; row < j; ++row)
-        word += root.rows - row;
-    return mesh.nodes[word / 4][word % 4];
+        cell += root.rows - row;
+    return cell;
 }
 
-/// A floor, half of it lit, with a wall that is not parallel to its edges standing on it.
+/// A floor, half of it lit, with a wall standing on it.
 struct Lit {
     SceneData data;
     LightMesh mesh;
 };
 
-Lit lit_floor() {
+Lit lit_floor(const Mesh& floor, const Mesh& wall) {
     Scene scene;
-    add(scene, quad({-2, 0, -2}, {0.3f, 0, 4}, {3.5f, 0, 0.2f}), lambert(glm::vec3(0.5f)));
-    add(scene, quad({-1, 0, -0.7f}, {1.9f, 0, 1.1f}, {0, 1, 0}), lambert(glm::vec3(0.5f)));
+    add(scene, floor, lambert(glm::vec3(0.5f)));
+    add(scene, wall, lambert(glm::vec3(0.5f)));
     Lit lit{prepare_scene_data(scene), {}};
     LightMesher mesher(lit.data, {0.5, 0.02, 0.1, 100000, 1u << 24});
     while (!mesher.wanted().empty()) {
@@ -121,6 +129,12 @@ Lit lit_floor() {
     }
     lit.mesh = mesher.finish();
     return lit;
+}
+
+/// With a wall that is not parallel to the edges of the floor.
+Lit lit_floor() {
+    return lit_floor(quad({-2, 0, -2}, {0.3f, 0, 4}, {3.5f, 0, 0.2f}),
+                     quad({-1, 0, -0.7f}, {1.9f, 0, 1.1f}, {0, 1, 0}));
 }
 
 constexpr int kPlaces = 4000;
@@ -143,7 +157,7 @@ TEST(PackedMesh, KeepsTheLightOfTheMesh) {
         const glm::dvec2 b = random_place(random);
         for (std::uint32_t t = 0; t < triangles; ++t) {
             const interop::LightMeshRoot root = root_of(packed, t);
-            const std::uint32_t leaf = leaf_at(packed, part_at(packed, root, b), b).leaf;
+            const std::uint32_t leaf = leaf_at(packed, part_at(root, b), b).leaf;
             EXPECT_EQ(leaf, leaf_at(packed, root.tree, b).leaf) << "the grid leads elsewhere";
             EXPECT_NEAR(front_light(packed, leaf, b), light_of(lit.mesh, t, {1.0 - b.x - b.y, b.x, b.y}),
                         kRounded);
@@ -163,7 +177,7 @@ TEST(PackedMesh, TakesFewStepsToALeaf) {
         const interop::LightMeshRoot root = root_of(packed, 0);
         ASSERT_GT(root.rows, 0u);
         without += leaf_at(packed, root.tree, b).splits;
-        with += leaf_at(packed, part_at(packed, root, b), b).splits;
+        with += leaf_at(packed, part_at(root, b), b).splits;
     }
     EXPECT_GT(without, 8u * kPlaces) << "too shallow a tree to tell";
     EXPECT_LT(2 * with, without);
@@ -184,10 +198,52 @@ TEST(PackedMesh, KnowsCutsNearAPlace) {
             return std::count_if(met.cuts.begin(), met.cuts.end(), [&](double away) { return away < error; });
         };
         const auto all = count_near(leaf_at(packed, root.tree, b));
-        EXPECT_EQ(count_near(leaf_at(packed, part_at(packed, root, b), b)), all);
+        EXPECT_EQ(count_near(leaf_at(packed, part_at(root, b), b)), all);
         near += static_cast<std::size_t>(all);
     }
     EXPECT_GT(near, 0u);
+}
+
+// A place that lies beside a leaf by its error gets no more and no less than the leaf has, but for half of
+// the bits of a bound.
+TEST(PackedMesh, BoundsLightByWhatIsOnALeaf) {
+    const Lit lit = lit_floor();
+    const PackedMesh packed = pack(lit.mesh, static_cast<std::uint32_t>(lit.data.triangle_infos.size()));
+    ASSERT_FALSE(packed.sides.empty());
+    std::mt19937 random(10);
+    for (int i = 0; i < kPlaces; ++i) {
+        const glm::dvec2 b = random_place(random);
+        const std::uint32_t leaf = leaf_at(packed, root_of(packed, 0).tree, b).leaf;
+        if ((leaf & interop::LIGHT_MESH_FRONT) == 0) continue;
+        const interop::LightMeshSide& side = packed.sides[leaf & interop::LIGHT_MESH_INDEX];
+        const double light = light_of(lit.mesh, 0, {1.0 - b.x - b.y, b.x, b.y});
+        EXPECT_LE(least_of(side.red_bounds), light + 1e-9);
+        EXPECT_GE(most_of(side.red_bounds), light - 1e-9);
+        EXPECT_TRUE(least_of(side.red_bounds) == 0.0 || least_of(side.red_bounds) == 1.0);
+        EXPECT_EQ(most_of(side.red_bounds), 1.0);
+    }
+}
+
+// A wall that stands just where an edge would be halved cuts it all the same.
+TEST(PackedMesh, CutsAtAWallThroughTheMiddleOfAnEdge) {
+    const Lit lit =
+        lit_floor(quad({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}), quad({0, 0, -1}, {0, 0, 2}, {0, 1, 0}));
+    const PackedMesh packed = pack(lit.mesh, static_cast<std::uint32_t>(lit.data.triangle_infos.size()));
+    constexpr double kNear = 1e-6;
+    int asked = 0;
+    for (std::uint32_t triangle = 0; triangle < 2; ++triangle) {
+        const Corners c = corners_of(lit.data, triangle);
+        for (const double z : {-0.73, -0.31, 0.17, 0.57}) {
+            // Where the plane x = 0 passes through the triangle at this z.
+            const glm::dmat2 edges(c[1].x - c[0].x, c[1].z - c[0].z, c[2].x - c[0].x, c[2].z - c[0].z);
+            const glm::dvec2 b = glm::inverse(edges) * (glm::dvec2(0, z) - glm::dvec2(c[0].x, c[0].z));
+            if (b.x < 0.0 || b.y < 0.0 || b.x + b.y > 1.0) continue;
+            const std::vector<double> cuts = leaf_at(packed, root_of(packed, triangle).tree, b).cuts;
+            EXPECT_TRUE(std::any_of(cuts.begin(), cuts.end(), [](double away) { return away < kNear; }));
+            ++asked;
+        }
+    }
+    EXPECT_EQ(asked, 4);
 }
 
 }  // namespace

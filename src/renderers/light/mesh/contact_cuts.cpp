@@ -134,7 +134,9 @@ class TriangleCuts {
             const double length = glm::distance(corners[edge], corners[next]);
             if (length <= longest) continue;
             longest = length;
-            const auto share = static_cast<float>(beside[edge] / (beside[edge] - beside[next]));
+            auto share = static_cast<float>(beside[edge] / (beside[edge] - beside[next]));
+            // Half is the share of splits that are not cuts: MeshNode.
+            if (share == 0.5f) share = std::nextafter(0.5f, 1.0f);
             best = Cut{false, edge, share};
         }
         return best && best->share > 0.0f && best->share < 1.0f ? best : std::nullopt;

@@ -21,7 +21,7 @@ struct MeshNode {
     std::uint32_t split = kMeshLeaf;  ///< 0, 1 or 2: the edge from this corner to the next; kMeshLeaf
     /// Leaf: points at its corners, NONE where no light is kept.
     std::array<std::uint32_t, 3> points{interop::NONE, interop::NONE, interop::NONE};
-    float share = 0.0f;  ///< of the way along the edge, in (0, 1)
+    float share = 0.0f;  ///< of the way along the edge, in (0, 1); light may jump where it is not exactly 0.5
     /// Child with corners (0, split point, 2), counted from where the edge begins; the one after it has
     /// (split point, 1, 2).
     std::uint32_t child = 0;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace utsuri {
 namespace {
@@ -81,6 +82,22 @@ Range range_over(const interop::LightMeshSplit& split, const Cell& cell, double 
     return {value - reach, value + reach};
 }
 
+/// The bounds of light on a leaf: LightMeshSide. A zero that has a sign counts as one without.
+std::uint32_t bounds_word(float least, float most) {
+    constexpr std::uint32_t kUpperHalf = 0xffff0000u;
+    constexpr std::uint32_t kLargest = 0x7f7f0000u;  // of what is finite
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(std::abs(most));
+    const std::uint32_t above = std::min((bits + 0xffffu) & kUpperHalf, kLargest);
+    return above | std::bit_cast<std::uint32_t>(std::abs(least)) >> 16;
+}
+
+/// On a narrow leaf bright light may be too steep for a float. Three of these have a finite sum, and what it
+/// is off is bounded by what is on the leaf.
+glm::vec3 finite(const glm::dvec3& linear) {
+    constexpr double kMost = double{std::numeric_limits<float>::max()} / 4.0;
+    return {glm::clamp(linear, -kMost, kMost)};
+}
+
 class Packer {
   public:
     explicit Packer(const LightMesh& mesh) : mesh_(mesh) {}
@@ -136,46 +153,49 @@ class Packer {
     bool add_side(const MeshNode& node, const Coordinates& coordinates,
                   glm::vec3 interop::LightMeshPoint::*light) {
         std::array<glm::dvec3, 3> linear{};  // constant, along b1, along b2
+        glm::vec3 least(std::numeric_limits<float>::max());
         glm::vec3 most(0.0f);
         for (std::size_t i = 0; i < 3; ++i) {
             if (node.points[i] == interop::NONE) return false;
             const glm::vec3 at_corner = mesh_.points[node.points[i]].*light;
+            least = glm::min(least, at_corner);
             most = glm::max(most, at_corner);
             for (int c = 0; c < 3; ++c)
                 linear[static_cast<std::size_t>(c)] += coordinates[i][c] * glm::dvec3(at_corner);
         }
         if (most == glm::vec3(0.0f)) return false;
-        packed_.sides.push_back(
-            {glm::vec3(linear[0]), most.x, glm::vec3(linear[1]), most.y, glm::vec3(linear[2]), most.z});
+        packed_.sides.push_back({finite(linear[0]), bounds_word(least.x, most.x), finite(linear[1]),
+                                 bounds_word(least.y, most.y), finite(linear[2]),
+                                 bounds_word(least.z, most.z)});
         return true;
     }
 
-    /// @returns its first word
+    /// @returns its first cell
     std::uint32_t add_grid(std::uint32_t tree, std::uint32_t rows) {
-        const std::size_t first_texel = packed_.nodes.size();
-        const std::uint64_t cells = std::uint64_t{rows} * (rows + 1) / 2;
-        packed_.nodes.resize(first_texel + (cells + 3) / 4);
-        std::size_t word = 0;
+        const auto first = static_cast<std::uint32_t>(packed_.nodes.size());
+        packed_.nodes.reserve(first + std::size_t{rows} * (rows + 1) / 2);
         for (std::uint32_t j = 0; j < rows; ++j) {
-            for (std::uint32_t i = 0; i + j < rows; ++i, ++word) {
+            for (std::uint32_t i = 0; i + j < rows; ++i) {
                 const Cell cell{glm::dvec2(i, j) / static_cast<double>(rows), 1.0 / rows};
-                packed_.nodes[first_texel + word / 4][word % 4] = part_of(cell, tree);
+                packed_.nodes.push_back(std::bit_cast<MeshTexel>(split_of_cell(cell, tree)));
             }
         }
-        return static_cast<std::uint32_t>(4 * first_texel);
+        return first;
     }
 
-    /// The smallest part of a tree that holds all of a cell and what is about it.
-    [[nodiscard]] std::uint32_t part_of(const Cell& cell, std::uint32_t tree) const {
+    /// The first split of a tree that divides a cell and what is about it.
+    [[nodiscard]] interop::LightMeshSplit split_of_cell(const Cell& cell, std::uint32_t tree) const {
         while ((tree & interop::LIGHT_MESH_LEAF) == 0) {
             const auto split =
                 std::bit_cast<interop::LightMeshSplit>(packed_.nodes[tree & interop::LIGHT_MESH_INDEX]);
             const bool is_cut = (split.second & interop::LIGHT_MESH_CUT) != 0;
             const Range range = range_over(split, cell, is_cut ? kCutMargin : kRounding);
-            if (range.least <= 0.0 && range.most >= 0.0) break;
+            if (range.least <= 0.0 && range.most >= 0.0) return split;
             tree = range.least > 0.0 ? split.second : split.first;
         }
-        return tree;
+        // Bits beside the leaf's own tell of the split that it was found by.
+        const std::uint32_t leaf = tree & ~(interop::LIGHT_MESH_BY_B2 | interop::LIGHT_MESH_CUT);
+        return {0.0f, 0.0f, leaf, leaf};
     }
 
     const LightMesh& mesh_;
@@ -188,7 +208,7 @@ class Packer {
 PackedBytes packed_bytes_per_point() {
     constexpr std::uint64_t kLeavesPerPoint = 2;
     // A grid has kCellsPerLeaf cells and, as rows are rounded up, at most half as many again.
-    constexpr std::uint64_t kCellBytes = kCellsPerLeaf * sizeof(std::uint32_t) * 3 / 2;
+    constexpr std::uint64_t kCellBytes = kCellsPerLeaf * sizeof(interop::LightMeshSplit) * 3 / 2;
     return {kLeavesPerPoint * (sizeof(interop::LightMeshSplit) + kCellBytes),
             kLeavesPerPoint * 2 * sizeof(interop::LightMeshSide)};
 }
