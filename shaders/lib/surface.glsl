@@ -3,8 +3,7 @@
 #ifndef UTSURI_LIB_SURFACE
 #define UTSURI_LIB_SURFACE
 
-#include "interop/bvh.h"
-#include "lib/numeric.glsl"
+#include "lib/triangle_geometry.glsl"
 
 struct Surface {
     vec3 position;
@@ -24,21 +23,6 @@ struct Surface {
     float f90;
     vec3 emission;       ///< cd/m2 towards the viewer
 };
-
-vec3 triangle_point(BvhTriangle vertices, float b1, float b2) {
-    return (1.0 - b1 - b2) * vertices.v0 + b1 * vertices.v1 + b2 * vertices.v2;
-}
-
-/// Bound on the rounding error of triangle_point(): seven roundings of each term.
-vec3 triangle_point_error(BvhTriangle vertices, float b1, float b2) {
-    vec3 terms = abs((1.0 - b1 - b2) * vertices.v0) + abs(b1 * vertices.v1) + abs(b2 * vertices.v2);
-    return rounding_bound(7.0) * terms;
-}
-
-/// Twice the vector area; the direction is that of the front.
-vec3 triangle_cross(BvhTriangle vertices) {
-    return cross(vertices.v1 - vertices.v0, vertices.v2 - vertices.v0);
-}
 
 /// Distance that a hit keeps from the edges of its triangle, in bounds of its rounding error: enough for the offset
 /// of a leaving ray too, where the neighbour meets the triangle at an angle of 20 degrees or more.

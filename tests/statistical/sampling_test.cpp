@@ -237,53 +237,5 @@ TEST_F(Sampling, SurfacesKnowTheirSideAndTheirRatioOfIndices) {
     }
 }
 
-/// Cell of a point of a triangle among 64 congruent ones, by its barycentric coordinates.
-std::size_t triangle_cell(double b1, double b2) {
-    constexpr std::size_t kEdge = 8;
-    const std::size_t i = bin_of(b1, kEdge);
-    const std::size_t j = bin_of(b2, kEdge);
-    const double within = b1 * kEdge - static_cast<double>(i) + b2 * kEdge - static_cast<double>(j);
-    // Upright cells of a row come before the upside-down ones; row i has 8 - i and 7 - i of them.
-    return i * (2 * kEdge - i) + 2 * std::min(j, kEdge - 1 - i) + (within > 1.0 && i + j + 1 < kEdge ? 1 : 0);
-}
-
-TEST_F(Sampling, PointsOnATriangleAreUniform) {
-    const glm::dvec3 a(1, 0.5, 2), b(-2, 0.2, 2.5), c(0, 3, 1);
-    Scene scene;
-    add(scene, triangle(glm::vec3(a), glm::vec3(b), glm::vec3(c)), emitter(glm::vec3(1.0f)));
-    scene.materials.back().double_sided = true;
-    const SceneData data = prepare_scene_data(scene);
-    const glm::dvec3 position(0.1, 0.2, -1);
-    interop::ProbePush push{};
-    push.position = glm::vec3(position - data.origin);
-    push.normal = {0, 0, 1};
-    push.wo = push.normal;
-    const auto outputs = probe(device(), data, interop::PROBE_LIGHT, push, random_pairs(kSamples, 200));
-    const glm::dvec3 area = 0.5 * glm::cross(b - a, c - a);
-    std::vector<double> observed(64, 0.0);
-    const std::vector<double> expected(64, static_cast<double>(kSamples) / 64.0);
-    double inverse_sum = 0.0;
-    for (const interop::ProbeOutput& output : outputs) {
-        const glm::dvec3 point = glm::dvec3(output.target) + data.origin;
-        const double whole = glm::dot(area, area);
-        const double b1 = 0.5 * glm::dot(glm::cross(point - a, c - a), area) / whole;
-        const double b2 = 0.5 * glm::dot(glm::cross(b - a, point - a), area) / whole;
-        observed[triangle_cell(b1, b2)] += 1.0;
-        const glm::dvec3 w = point - position;
-        const double pdf = std::pow(glm::length(w), 3.0) / std::abs(glm::dot(area, w));
-        ASSERT_NEAR(static_cast<double>(output.pdf), pdf, kPdfError * pdf);
-        ASSERT_LE(glm::length(glm::dvec3(output.direction) - glm::normalize(w)), 1e-5);
-        inverse_sum += 1.0 / pdf;
-    }
-    EXPECT_GE(chi_square_p_value(observed, expected), kRejection);
-    // The mean of 1 / pdf is the solid angle (Van Oosterom and Strackee 1983); its spread is below its mean.
-    const glm::dvec3 p = glm::normalize(a - position), q = glm::normalize(b - position),
-                     r = glm::normalize(c - position);
-    const double solid_angle = 2.0 * std::atan2(std::abs(glm::dot(p, glm::cross(q, r))),
-                                                1.0 + glm::dot(p, q) + glm::dot(q, r) + glm::dot(r, p));
-    EXPECT_NEAR(inverse_sum / kSamples, solid_angle,
-                4.5 * solid_angle / std::sqrt(static_cast<double>(kSamples)));
-}
-
 }  // namespace
 }  // namespace utsuri::test

@@ -17,7 +17,7 @@ layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_PIECES) readonly restri
 float contour_part(vec3 a, vec3 b, vec3 n) {
     vec3 across = cross(a, b);
     float sine = length(across);
-    return sine > 0.0 ? atan(sine, dot(a, b)) * dot(across, n) / sine : 0.0;
+    return sine > 0.0 ? angle_of(sine, dot(a, b)) * dot(across, n) / sine : 0.0;
 }
 
 /// Where the great circle from a above the horizon to b below it meets the horizon.

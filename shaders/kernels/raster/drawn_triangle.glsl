@@ -11,7 +11,7 @@ void set_drawn_triangle(uint triangle, vec2 b) {
     TriangleInfo info = triangle_infos[triangle];
     drawn_place = vec4(b, HAS_TEXTURES ? interpolated_texcoord(info.vertices, b.x, b.y) : vec2(0.0));
     drawn_normal = interpolated_normal(info.vertices, b.x, b.y);
-    drawn_ng = normalize_any_scale(triangle_cross(bvh_triangle(triangle)));
+    drawn_ng = triangle_normal(bvh_triangle(triangle));
     MaterialInfo material = materials[info.material];
     drawn_colour = vec4(material.base_colour, material.metallic);
     drawn_emissive = vec4(material.emissive, material.roughness);

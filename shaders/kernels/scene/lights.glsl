@@ -6,6 +6,7 @@
 #include "interop/scene.h"
 #include "lib/cosine.glsl"
 #include "kernels/scene/surface.glsl"
+#include "kernels/scene/triangle_sampling.glsl"
 
 struct LightSample {
     vec3 direction;      ///< unit, from the surface to the light
@@ -28,19 +29,12 @@ float choice_probability(uint light, Receiver receiver) {
     return lights[light].probability;
 }
 
-/// Density over solid angle with which direct_light() samples this point of a light triangle.
-/// @param facing twice the vector area dotted with the direction from light to surface, per unit of that direction
-float triangle_light_pdf(float probability, float facing, float distance_squared) {
-    return probability * 2.0 * distance_squared / facing;
-}
-
 LightSample sample_triangle_light(LightInfo light, float probability, Surface surface, vec2 u) {
     BvhTriangle vertices = bvh_triangle(light.triangle);
     TriangleInfo info = triangle_infos[light.triangle];
-    // Uniform over the triangle, without the square root's clumping of stratified samples (Heitz 2019).
-    float b1 = u.x < u.y ? 0.5 * u.x : u.x - 0.5 * u.y;
-    float b2 = u.x < u.y ? u.y - 0.5 * u.x : 0.5 * u.y;
-    vec3 point = triangle_point(vertices, b1, b2);
+    TriangleSampling sampling = triangle_sampling(vertices, info.material, surface.position);
+    vec2 b = sample_triangle(sampling, vertices, surface.position, u);
+    vec3 point = triangle_point(vertices, b.x, b.y);
     vec3 area = triangle_cross(vertices);
     vec3 to_light = point - surface.position;
     LightSample s;
@@ -48,11 +42,13 @@ LightSample sample_triangle_light(LightInfo light, float probability, Surface su
     s.infinite = false;
     s.triangle = light.triangle;
     float facing = dot(area, -s.direction);
-    vec2 texcoord = HAS_TEXTURES ? interpolated_texcoord(info.vertices, b1, b2) : vec2(0.0);
+    vec2 texcoord = HAS_TEXTURES ? interpolated_texcoord(info.vertices, b.x, b.y) : vec2(0.0);
     vec3 radiance = emitted_radiance(materials[info.material], texcoord, facing > 0.0);
-    s.pdf = triangle_light_pdf(probability, abs(facing), dot(to_light, to_light));
-    s.irradiance = facing != 0.0 && s.pdf > 0.0 ? radiance / s.pdf : vec3(0.0);
-    s.target = offset_origin(point, triangle_point_error(vertices, b1, b2), normalize_any_scale(area), -s.direction);
+    s.pdf = triangle_light_pdf(sampling, probability, abs(facing), dot(to_light, to_light));
+    // A plane triangle does not light itself, whatever rounding makes of points on it.
+    bool shines = facing != 0.0 && s.pdf > 0.0 && light.triangle != surface.triangle;
+    s.irradiance = shines ? radiance / s.pdf : vec3(0.0);
+    s.target = offset_origin(point, triangle_point_error(vertices, b.x, b.y), normalize_any_scale(area), -s.direction);
     return s;
 }
 
@@ -95,10 +91,12 @@ float light_pdf(Hit hit, vec3 direction, Receiver left) {
     if (hit.triangle == NONE) {
         return HAS_ENVIRONMENT ? environment_pdf(choice_probability(ENVIRONMENT_LIGHT, left), dot(left.normal, direction)) : 0.0;
     }
-    uint light = triangle_infos[hit.triangle].light;
-    if (!HAS_TRIANGLE_LIGHTS || light == NONE) return 0.0;
-    float facing = abs(dot(triangle_cross(bvh_triangle(hit.triangle)), direction));
-    return triangle_light_pdf(choice_probability(light, left), facing, hit.t * hit.t);
+    TriangleInfo info = triangle_infos[hit.triangle];
+    if (!HAS_TRIANGLE_LIGHTS || info.light == NONE) return 0.0;
+    BvhTriangle vertices = bvh_triangle(hit.triangle);
+    float facing = abs(dot(triangle_cross(vertices), direction));
+    TriangleSampling sampling = triangle_sampling(vertices, info.material, left.position);
+    return triangle_light_pdf(sampling, choice_probability(info.light, left), facing, hit.t * hit.t);
 }
 
 LightSample sample_environment(LightInfo light, float probability, Surface surface, vec2 u) {

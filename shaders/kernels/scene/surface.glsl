@@ -86,7 +86,7 @@ Surface make_surface(Hit hit, vec3 direction) {
     surface.material = info.material;
     surface.instance = info.instance;
     surface.texcoord = HAS_TEXTURES ? interpolated_texcoord(info.vertices, hit.b1, hit.b2) : vec2(0.0);
-    shade_surface(surface, normalize_any_scale(triangle_cross(vertices)),
+    shade_surface(surface, triangle_normal(vertices),
                   interpolated_normal(info.vertices, hit.b1, hit.b2), materials[info.material], direction);
     return surface;
 }
