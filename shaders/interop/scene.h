@@ -10,8 +10,11 @@ struct TriangleInfo {
     uvec3 vertices;  ///< into the vertex attribute buffers
     uint material;
     uint instance;
-    uint light;  ///< the light this triangle is, or NONE
+    uint light;   ///< the light this triangle is, or NONE
+    uint layers;  ///< how many lie on it in its plane, one on top of the other, at most MOST_LAYERS
 };
+
+INTEROP_CONSTANT MOST_LAYERS = 15u;
 
 /// How a texture is looked up: TextureSlotInfo::sampling has wrap_s + (wrap_t << TEXTURE_WRAP_BITS), and
 /// TEXTURE_LINEAR where it is filtered. Texels repeat unless a wrap mode says otherwise.

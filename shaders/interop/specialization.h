@@ -26,7 +26,9 @@ INTEROP_CONSTANT SPEC_HAS_PROXY_PLANES = 17u;    ///< not all proxies are boxes
 INTEROP_CONSTANT SPEC_MOST_PROBES = 18u;         ///< capture points that a reflector has, at most
 INTEROP_CONSTANT SPEC_KEEPS_DISTANCES = 19u;     ///< glossy maps are made with inverse distances
 INTEROP_CONSTANT SPEC_MOST_GLOSSY_PROBES = 20u;  ///< capture points that a glossy instance has, at most
-INTEROP_CONSTANT SPEC_COUNT = 21u;
+INTEROP_CONSTANT SPEC_LAYER_DISTANCE = 21u;      ///< bits of a float: how far apart, at most, surfaces in one
+                                                 ///< plane are, metres; 0 where no two overlap
+INTEROP_CONSTANT SPEC_COUNT = 22u;
 
 INTEROP_END
 #endif

@@ -17,5 +17,12 @@ layout(constant_id = SPEC_LIGHT_COUNT) const uint LIGHT_COUNT = 0u;
 /// Index of the environment among the lights, or NONE.
 layout(constant_id = SPEC_ENVIRONMENT_LIGHT) const uint ENVIRONMENT_LIGHT = 0u;
 const bool HAS_ENVIRONMENT = ENVIRONMENT_LIGHT != NONE;
+/// Some surfaces overlap in one plane; how far apart they are at most, metres.
+layout(constant_id = SPEC_LAYER_DISTANCE) const uint LAYER_DISTANCE_BITS = 0u;
+const bool HAS_LAYERS = LAYER_DISTANCE_BITS != 0u;
+
+float layer_distance() {
+    return uintBitsToFloat(LAYER_DISTANCE_BITS);
+}
 
 #endif

@@ -207,7 +207,7 @@ std::map<std::string, HostStruct> host_structs() {
         {"TriangleInfo",
          {sizeof(TriangleInfo),
           {AT(TriangleInfo, vertices), AT(TriangleInfo, material), AT(TriangleInfo, instance),
-           AT(TriangleInfo, light)}}},
+           AT(TriangleInfo, light), AT(TriangleInfo, layers)}}},
         {"TextureSlotInfo",
          {sizeof(TextureSlotInfo),
           {AT(TextureSlotInfo, texture), AT(TextureSlotInfo, sampling), AT(TextureSlotInfo, first_texel),

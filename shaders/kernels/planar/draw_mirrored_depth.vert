@@ -11,5 +11,5 @@ layout(location = 0) out float in_front;
 void main() {
     vec3 corner = listed_corner();
     in_front = dot(view.normal, corner) - view.offset;
-    gl_Position = project(corner - view.camera.origin);
+    gl_Position = project(corner - view.camera.origin, listed_triangle());
 }

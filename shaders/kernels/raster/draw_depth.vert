@@ -7,5 +7,5 @@
 #include "kernels/raster/drawn_projection.glsl"
 
 void main() {
-    gl_Position = project(listed_corner() - view.camera.origin);
+    gl_Position = project(listed_corner() - view.camera.origin, listed_triangle());
 }

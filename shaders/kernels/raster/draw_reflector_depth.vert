@@ -8,5 +8,6 @@
 
 void main() {
     ReflectorTriangle polygon = drawn_polygon();
-    gl_Position = project(reflector_vertices[polygon.vertices[uint(gl_VertexIndex) % 3u]].position - view.camera.origin);
+    vec3 corner = reflector_vertices[polygon.vertices[uint(gl_VertexIndex) % 3u]].position;
+    gl_Position = project(corner - view.camera.origin, polygon.triangle);
 }

@@ -16,5 +16,5 @@ void main() {
     if (HAS_GLOSSY && MAP_KIND == MAP_KIND_POLYGON) {
         drawn_reflection = reflect(drawn_from_eye, normalize_any_scale(drawn_normal));
     }
-    gl_Position = project(drawn_from_eye);
+    gl_Position = project(drawn_from_eye, listed_triangle());
 }

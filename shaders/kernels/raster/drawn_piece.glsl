@@ -13,7 +13,7 @@ void set_drawn_piece(ReflectorTriangle polygon, uint face, PieceCorner corner) {
     drawn_ids.w = polygon_probe(polygon) * FACE_COUNT + face;
     drawn_reflection = map_position(map_faces[face], corner.reflection);
     drawn_from_eye = corner.position - view.camera.origin;
-    gl_Position = project(drawn_from_eye);
+    gl_Position = project(drawn_from_eye, polygon.triangle);
 }
 
 #endif

@@ -18,7 +18,7 @@ void set_drawn_reflector() {
     VertexReflection found = vertex_reflections[vertex];
     drawn_reflection = MAP_KIND == MAP_KIND_SPHERE ? vec3(found.sphere_map, 0.0) : found.direction;
     drawn_from_eye = reflector_vertices[vertex].position - view.camera.origin;
-    gl_Position = project(drawn_from_eye);
+    gl_Position = project(drawn_from_eye, polygon.triangle);
 }
 
 #endif

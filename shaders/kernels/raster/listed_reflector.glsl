@@ -16,7 +16,7 @@ void set_listed_reflector() {
     set_drawn_triangle(listed_triangle(), vec2(corner == 1u, corner == 2u));
     drawn_ids.w = listed_reflectors[uint(gl_VertexIndex) / 3u];
     drawn_from_eye = listed_corner() - view.camera.origin;
-    gl_Position = project(drawn_from_eye);
+    gl_Position = project(drawn_from_eye, listed_triangle());
 }
 
 #endif

@@ -5,6 +5,7 @@
 
 #extension GL_EXT_control_flow_attributes : require
 
+#include "kernels/scene/layers.glsl"
 #include "kernels/scene/scene_bindings.glsl"
 #include "lib/bvh_node.glsl"
 #include "lib/triangle.glsl"
@@ -34,9 +35,36 @@ bool is_closer(TriangleHit candidate, uint triangle, Hit best) {
            (candidate.t < best.t || (candidate.t == best.t && triangle < best.triangle));
 }
 
-bool is_excluded(Ray ray, uint triangle) {
+bool is_excluded(Ray ray, uint triangle, BvhTriangle vertices) {
     if (triangle == ray.excluded[0] || triangle == ray.excluded[1]) return true;
-    return EXCLUDES_INSTANCE && triangle_infos[triangle].instance == ray.excluded_instance;
+    if (EXCLUDES_INSTANCE && triangle_infos[triangle].instance == ray.excluded_instance) return true;
+    // From a capture point on a mirror the wall behind it is seen from its edge.
+    if (HAS_LAYERS && EXCLUDES_INSTANCE && is_edge_on(vertices, ray.origin)) return true;
+    return HAS_LAYERS && (holds_end(vertices, ray.excluded[0], ray.origin) ||
+                          holds_end(vertices, ray.excluded[1], ray.origin + ray.direction));
+}
+
+/// The closest hit so far, or of what lies on top at that place.
+struct Search {
+    Hit best;
+    float reach;  ///< t up to which there may be a better one
+};
+
+/// @param any_hit whether one hit is as good as any other
+void consider(uint triangle, Ray ray, ShearedRay sheared, bool any_hit, inout Search search) {
+    BvhTriangle vertices = bvh_triangle(triangle);
+    TriangleHit candidate = intersect_triangle(sheared, vertices.v0, vertices.v1, vertices.v2);
+    bool is_better = is_closer(candidate, triangle, search.best);
+    float depth = 0.0;
+    if (HAS_LAYERS && !any_hit && candidate.hit && candidate.t > 0.0) {
+        depth = layer_depth(vertices, ray.direction, candidate.t);
+        if (abs(candidate.t - search.best.t) <= depth) {
+            is_better = is_on_top(triangle, vertices, search.best.triangle, is_better);
+        }
+    }
+    if (!is_better || is_excluded(ray, triangle, vertices)) return;
+    search.best = Hit(candidate.t, triangle, candidate.b1, candidate.b2);
+    search.reach = candidate.t + depth;
 }
 
 /// The nodes and triangles of a group still to visit are bits of one word: see hit_children().
@@ -44,7 +72,7 @@ Hit traverse(Ray ray, bool any_hit) {
     const uint NODE_MASK = ~((1u << BVH_NODE_BITS) - 1u);
     BoxRay box_ray = make_box_ray(ray.origin, ray.direction);
     ShearedRay sheared = shear_ray(ray.origin, ray.direction);
-    Hit best = Hit(ray.t_max, NONE, 0.0, 0.0);
+    Search search = Search(Hit(ray.t_max, NONE, 0.0, 0.0), ray.t_max);
     uvec2 stack[STACK_SIZE];
     uint stack_size = 0u;
     uvec2 group = uvec2(0u, 1u << 31);  // the root, as if it were the only child of a node
@@ -66,25 +94,21 @@ Hit traverse(Ray ray, bool any_hit) {
 
             uint slot = (bit - BVH_NODE_BITS) ^ box_ray.octant;
             BvhNode node = bvh_node(group.x + bitCount(group.y & ((1u << slot) - 1u)));
-            uint hits = hit_children(node, box_ray, best.t);
+            uint hits = hit_children(node, box_ray, search.reach);
             group = uvec2(node.bases_meta.x, (hits & NODE_MASK) | (node.origin_exponents.w >> BVH_NODE_BITS));
             leaf = uvec2(node.bases_meta.y, hits & ~NODE_MASK);
         }
         while (leaf.y != 0u) {
             uint triangle = leaf.x + uint(findLSB(leaf.y));
             leaf.y &= leaf.y - 1u;
-            BvhTriangle vertices = bvh_triangle(triangle);
-            TriangleHit candidate = intersect_triangle(sheared, vertices.v0, vertices.v1, vertices.v2);
-            if (is_closer(candidate, triangle, best) && !is_excluded(ray, triangle)) {
-                best = Hit(candidate.t, triangle, candidate.b1, candidate.b2);
-                if (any_hit) {
-                    searching = false;
-                    leaf.y = 0u;
-                }
+            consider(triangle, ray, sheared, any_hit, search);
+            if (any_hit && search.best.triangle != NONE) {
+                searching = false;
+                leaf.y = 0u;
             }
         }
     }
-    return best;
+    return search.best;
 }
 
 Hit closest_hit(Ray ray) {

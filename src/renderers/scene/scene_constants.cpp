@@ -3,6 +3,8 @@
 
 #include "interop/specialization.h"
 
+#include <bit>
+
 namespace utsuri {
 
 Specialization scene_constants(const SceneData& data) {
@@ -14,7 +16,12 @@ Specialization scene_constants(const SceneData& data) {
             {interop::SPEC_ENVIRONMENT_LIGHT, data.environment_light().value_or(interop::NONE)},
             {interop::SPEC_HAS_GLOSSY, needs.glossy ? 1 : 0},
             {interop::SPEC_HAS_MIRROR, needs.mirror ? 1 : 0},
+            {interop::SPEC_LAYER_DISTANCE, std::bit_cast<std::uint32_t>(data.layer_distance)},
             {interop::SPEC_LIGHT_COUNT, static_cast<std::uint32_t>(data.lights.size())}};
+}
+
+Specialization depth_constants(const Specialization& specialization) {
+    return {{interop::SPEC_LAYER_DISTANCE, specialization.at(interop::SPEC_LAYER_DISTANCE)}};
 }
 
 Specialization with_features(Specialization specialization, const SurfaceFeatures& features) {

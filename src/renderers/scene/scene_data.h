@@ -50,6 +50,7 @@ struct SceneData {
     Bvh bvh;
     std::vector<interop::TriangleInfo> triangle_infos;  ///< device order
     InstanceTriangles instance_triangles;               ///< of the host alone; triangles_of(), bounds_of()
+    float layer_distance = 0.0f;  ///< layer_distance() where surfaces overlap in one plane, else 0; metres
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> texcoords;  ///< only with textures
     std::vector<interop::MaterialInfo> materials;

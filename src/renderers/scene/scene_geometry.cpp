@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/scene/scene_geometry.h"
 
+#include "renderers/scene/coplanar_layers.h"
 #include "renderers/scene/scene_triangles.h"
 
 #include "base/same_bits.h"
@@ -58,6 +59,16 @@ InstanceTriangles sort_by_instance(const SceneData& data, std::size_t instances)
     return sorted;
 }
 
+void find_layers(SceneData& data) {
+    const std::vector<std::uint32_t> layers = count_layers(data);
+    bool overlap = false;
+    for (std::size_t t = 0; t < layers.size(); ++t) {
+        data.triangle_infos[t].layers = layers[t];
+        overlap = overlap || layers[t] > 0;
+    }
+    if (overlap) data.layer_distance = layer_distance(data);
+}
+
 /// All but the BVH, which is there.
 void describe(const Scene& scene, WorldGeometry world, SceneData& data) {
     data.origin = world.origin;
@@ -66,9 +77,10 @@ void describe(const Scene& scene, WorldGeometry world, SceneData& data) {
     for (const std::uint32_t input : data.bvh.order) {
         const std::uint32_t instance = world.instances[input];
         data.triangle_infos.push_back(
-            {world.triangles[input], scene.instances[instance].material, instance, interop::NONE});
+            {world.triangles[input], scene.instances[instance].material, instance, interop::NONE, 0});
     }
     data.instance_triangles = sort_by_instance(data, scene.instances.size());
+    find_layers(data);
     data.normals = std::move(world.normals);
     if (data.requirements.textures > 0) data.texcoords = std::move(world.texcoords);
 }
@@ -96,6 +108,7 @@ bool at_same_place(const SceneData& before, const WorldGeometry& world) {
 void keep_geometry(SceneData& before, const Scene& scene, SceneData& data) {
     data.origin = before.origin;
     data.bounds = before.bounds;
+    data.layer_distance = before.layer_distance;
     data.bvh = std::move(before.bvh);
     data.normals = std::move(before.normals);
     data.texcoords = std::move(before.texcoords);
@@ -136,6 +149,9 @@ GeometryChange follow_geometry(SceneData& before, const Scene& scene, SceneData&
         data.build_seconds = seconds_of([&] { refit(data.bvh, world.positions, world.triangles); });
     }
     describe(scene, std::move(world), data);
+    // What kernels know of layers stays when a thing is lifted off what it lay on: that takes no other
+    // kernels.
+    data.layer_distance = std::max(data.layer_distance, before.layer_distance);
     data.geometry_source.instances = scene.instances;
     if (kept_meshes) {
         data.geometry_source.meshes = std::move(before.geometry_source.meshes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/light/mesh/contacts.h"
 
+#include "renderers/scene/near_triangles.h"
 #include "renderers/scene/scene_triangles.h"
 
 #include <glm/geometric.hpp>
@@ -64,22 +65,6 @@ struct EdgeUse {
     [[nodiscard]] bool inside_sheet() const { return standing == 0 && left == right; }
 };
 using Edges = std::map<Edge, EdgeUse>;
-
-bool overlaps(const Bounds& a, const Bounds& b) {
-    return a.lower.x <= b.upper.x && a.lower.y <= b.upper.y && a.lower.z <= b.upper.z &&
-           b.lower.x <= a.upper.x && b.lower.y <= a.upper.y && b.lower.z <= a.upper.z;
-}
-
-Bounds bounds_of(const ChildBox& box) {
-    return {glm::vec3(box.lower), glm::vec3(box.upper)};
-}
-
-/// Whether some of a box may be that near to a plane.
-bool reaches_plane(const Bounds& box, const TriangleFrame& frame, double gap) {
-    const glm::dvec3 centre = 0.5 * (glm::dvec3(box.lower) + glm::dvec3(box.upper));
-    const glm::dvec3 half = 0.5 * (glm::dvec3(box.upper) - glm::dvec3(box.lower));
-    return std::abs(frame.height(centre)) <= gap + glm::dot(glm::abs(frame.normal()), half);
-}
 
 glm::dvec3 meeting_point(const glm::dvec3& a, double height_a, const glm::dvec3& b, double height_b) {
     return a + (b - a) * (height_a / (height_a - height_b));
@@ -166,31 +151,6 @@ class PlaneContact {
 
 }  // namespace
 
-double cross(const glm::dvec2& a, const glm::dvec2& b) {
-    return a.x * b.y - a.y * b.x;
-}
-
-TriangleFrame::TriangleFrame(const std::array<glm::dvec3, 3>& corners) : origin_(corners[0]) {
-    right_ = glm::normalize(corners[1] - corners[0]);
-    normal_ = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-    up_ = glm::cross(normal_, right_);
-    for (std::size_t i = 0; i < 3; ++i)
-        corners_[i] = project(corners[i]);
-}
-
-glm::dvec2 TriangleFrame::project(const glm::dvec3& point) const {
-    return {glm::dot(point - origin_, right_), glm::dot(point - origin_, up_)};
-}
-
-double TriangleFrame::height(const glm::dvec3& point) const {
-    return glm::dot(point - origin_, normal_);
-}
-
-double TriangleFrame::longest_edge() const {
-    return std::max({glm::distance(corners_[0], corners_[1]), glm::distance(corners_[1], corners_[2]),
-                     glm::distance(corners_[2], corners_[0])});
-}
-
 std::optional<ContactSegment> clip_to_triangle(const ContactSegment& segment,
                                                const std::array<glm::dvec2, 3>& corners, double margin) {
     double begin = 0.0;
@@ -231,36 +191,6 @@ std::optional<ContactSegment> line_on(const TriangleFrame& frame, const ContactS
 ContactFinder::ContactFinder(const SceneData& scene, double gap)
     : scene_(scene), gap_(gap), rounding_(kRoundings * vertex_error(scene)) {}
 
-std::vector<std::uint32_t> ContactFinder::near(std::uint32_t triangle, const TriangleFrame& frame,
-                                               double gap) const {
-    // Twice the gap: boxes are of float32.
-    const auto room = static_cast<float>(2.0 * gap);
-    Bounds around = utsuri::bounds_of(scene_.bvh.triangles[triangle]);
-    around.lower -= glm::vec3(room);
-    around.upper += glm::vec3(room);
-    const auto is_near = [&](const Bounds& box) {
-        return overlaps(box, around) && reaches_plane(box, frame, 2.0 * gap);
-    };
-    std::vector<std::uint32_t> found;
-    std::vector<std::uint32_t> nodes = {0};
-    while (!nodes.empty()) {
-        const interop::BvhNode& node = scene_.bvh.nodes[nodes.back()];
-        nodes.pop_back();
-        for (std::uint32_t slot = 0; slot < interop::BVH_WIDTH; ++slot) {
-            const SlotContent content = slot_content(node, slot);
-            if (!content.is_node && content.triangle_count == 0) continue;
-            if (!is_near(bounds_of(child_box(node, slot)))) continue;
-            if (content.is_node) nodes.push_back(content.node);
-            for (std::uint32_t i = 0; i < content.triangle_count; ++i) {
-                const std::uint32_t other = content.first_triangle + i;
-                if (other != triangle && is_near(utsuri::bounds_of(scene_.bvh.triangles[other])))
-                    found.push_back(other);
-            }
-        }
-    }
-    return found;
-}
-
 std::vector<ContactSegment> ContactFinder::find(std::uint32_t triangle) const {
     const std::array<glm::vec3, 3> own = vertices_of(scene_.bvh.triangles[triangle]);
     const Corners corners = corners_of(scene_, triangle);
@@ -268,7 +198,7 @@ std::vector<ContactSegment> ContactFinder::find(std::uint32_t triangle) const {
     const TriangleFrame frame(corners);
     const double gap = std::max(rounding_, std::min(gap_, kLargestGap * frame.longest_edge()));
     PlaneContact contact(frame, gap);
-    for (const std::uint32_t other : near(triangle, frame, gap))
+    for (const std::uint32_t other : triangles_near_plane(scene_, triangle, frame, gap))
         contact.add(vertices_of(scene_.bvh.triangles[other]));
     std::vector<ContactSegment> result;
     for (const ContactSegment& segment : contact.segments(

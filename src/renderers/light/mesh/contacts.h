@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderers/scene/scene_data.h"
+#include "renderers/scene/triangle_frame.h"
 
 #include <glm/vec2.hpp>
 
@@ -17,30 +18,6 @@ namespace utsuri {
 struct ContactSegment {
     glm::dvec2 from;
     glm::dvec2 to;
-};
-
-/// Twice the area between two directions in a plane, positive if the second is to the left of the first.
-double cross(const glm::dvec2& a, const glm::dvec2& b);
-
-/// Metric coordinates in the plane of a triangle: the origin is its first corner.
-class TriangleFrame {
-  public:
-    /// @param corners of a triangle that has an area
-    explicit TriangleFrame(const std::array<glm::dvec3, 3>& corners);
-
-    [[nodiscard]] glm::dvec2 project(const glm::dvec3& point) const;
-    /// Signed distance from the plane, positive before the front.
-    [[nodiscard]] double height(const glm::dvec3& point) const;
-    [[nodiscard]] const std::array<glm::dvec2, 3>& corners() const { return corners_; }
-    [[nodiscard]] const glm::dvec3& normal() const { return normal_; }
-    [[nodiscard]] double longest_edge() const;
-
-  private:
-    glm::dvec3 origin_;
-    glm::dvec3 right_;
-    glm::dvec3 up_;
-    glm::dvec3 normal_;
-    std::array<glm::dvec2, 3> corners_{};
 };
 
 /// The part of a segment inside a triangle, grown by `margin`; none if all of it is outside.
@@ -63,10 +40,6 @@ class ContactFinder {
     [[nodiscard]] double rounding() const { return rounding_; }
 
   private:
-    /// Other triangles that may come that near to the triangle and its plane.
-    [[nodiscard]] std::vector<std::uint32_t> near(std::uint32_t triangle, const TriangleFrame& frame,
-                                                  double gap) const;
-
     const SceneData& scene_;
     double gap_;
     double rounding_;

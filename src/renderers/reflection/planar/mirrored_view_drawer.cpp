@@ -49,7 +49,8 @@ MirroredViewDrawer::MirroredViewDrawer(Device& device, const SceneData& data, Mi
       list_(make_buffer<std::uint32_t>(device, triangles_.listed, "draw list")),
       listed_reflectors_(
           make_buffer<std::uint32_t>(device, triangles_.reflectors, "reflectors of the draw list")),
-      eye_depth_(make_pass("draw_depth", kernels::draw_depth_vert, {}, DepthTest::nearer, {}, bindings)) {
+      eye_depth_(make_pass("draw_depth", kernels::draw_depth_vert, {}, DepthTest::nearer,
+                           depth_constants(specialization), bindings)) {
     using Stage = std::span<const std::uint32_t>;
     for (const DrawBatch& batch : triangles_.batches) {
         const bool traces_lobe = traces_lobes(kind, batch.features);
@@ -73,7 +74,8 @@ MirroredViewDrawer::MirroredViewDrawer(Device& device, const SceneData& data, Mi
     }
     if (triangles_.mirrors.empty()) return;
     view_depth_.emplace(make_pass("draw_mirrored_depth", kernels::draw_mirrored_depth_vert,
-                                  kernels::draw_mirrored_depth_frag, DepthTest::nearer, {}, bindings));
+                                  kernels::draw_mirrored_depth_frag, DepthTest::nearer,
+                                  depth_constants(specialization), bindings));
     const bool traces_lobe = traces_lobes(kind, triangles_.mirror_features);
     const Stage mirror = traces_lobe ? Stage(kernels::draw_mirrored_hybrid_mirror_frag)
                                      : Stage(kernels::draw_mirrored_mirror_frag);

@@ -30,7 +30,8 @@ FrameDrawer::FrameDrawer(Device& device, const SceneData& data, const DrawList& 
       depth_(device, width, height, kDepthFormat, "depth of the drawn picture"),
       triangles_(make_buffer<std::uint32_t>(device, list.triangles, "draw list")),
       triangle_count_(static_cast<std::uint32_t>(list.triangles.size())),
-      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::ViewPush)),
+      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, depth_constants(specialization),
+                  sizeof(interop::ViewPush)),
       depth_bindings_(depth_pass_.bind(with_draw_list(bindings))),
       batches_(make_batches(list.batches, kind, specialization, bindings)) {}
 

@@ -4,6 +4,7 @@
 #include "renderers/reflection/raster/draw_list.h"
 #include "renderers/reflection/raster/drawn_samples.h"
 #include "renderers/reflection/raster/picture_pixels.h"
+#include "renderers/scene/scene_constants.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"
@@ -51,7 +52,8 @@ PredictionDrawer::PredictionDrawer(Device& device, const SceneData& data, MapKin
       polygons_(make_buffer<std::uint32_t>(device, numbers_below(reflectors.polygon_count()),
                                            "polygons with errors")),
       polygon_count_(reflectors.polygon_count()),
-      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, {}, sizeof(interop::ViewPush)),
+      depth_pass_(device, "draw_depth", kernels::draw_depth_vert, {}, depth_constants(specialization),
+                  sizeof(interop::ViewPush)),
       depth_bindings_(depth_pass_.bind([&] {
           Bindings all = bindings;
           all[interop::BINDING_DRAW_LIST] = &triangles_;

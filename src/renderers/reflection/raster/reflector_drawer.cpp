@@ -139,7 +139,7 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
         clipping_.emplace(make_clipping(
             add_constants(specialization, features_, interop::MAP_KIND_PIECES, faces.size()), bindings));
     } else {
-        depth_.emplace(make_depth_pass(bindings));
+        depth_.emplace(make_depth_pass(depth_constants(specialization), bindings));
     }
 }
 
@@ -168,9 +168,10 @@ Bindings ReflectorDrawer::with_polygons(Bindings others) const {
     return others;
 }
 
-ReflectorDrawer::DepthPass ReflectorDrawer::make_depth_pass(const Bindings& bindings) const {
-    RasterPipeline pipeline(device_, "draw_reflector_depth", kernels::draw_reflector_depth_vert, {}, {},
-                            sizeof(interop::ViewPush));
+ReflectorDrawer::DepthPass ReflectorDrawer::make_depth_pass(const Specialization& specialization,
+                                                            const Bindings& bindings) const {
+    RasterPipeline pipeline(device_, "draw_reflector_depth", kernels::draw_reflector_depth_vert, {},
+                            specialization, sizeof(interop::ViewPush));
     BindingSet set = pipeline.bind(with_polygons(bindings));
     return {std::move(pipeline), std::move(set)};
 }

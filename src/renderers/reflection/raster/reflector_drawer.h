@@ -85,7 +85,8 @@ class ReflectorDrawer {
         BindingSet bindings;
     };
 
-    [[nodiscard]] DepthPass make_depth_pass(const Bindings& bindings) const;
+    [[nodiscard]] DepthPass make_depth_pass(const Specialization& specialization,
+                                            const Bindings& bindings) const;
     [[nodiscard]] TwoRuns make_two_runs(const std::string& name, std::span<const std::uint32_t> spirv,
                                         Specialization specialization, const Kernel& prefix_sum,
                                         const Buffer& counts, const Bindings& all) const;
