@@ -59,15 +59,15 @@ INTEROP_CONSTANT LIGHT_ENVIRONMENT = 4u;
 struct LightInfo {
     uint type;
     uint triangle;      ///< LIGHT_TRIANGLE: its index
-    float probability;  ///< that this light is picked, by power
+    float probability;  ///< that it is chosen, by power; of lights that are somewhere: that one of them is
     vec3 position;      ///< point and spot
     vec3 direction;     ///< unit, the way light travels; spot and directional
     vec3 intensity;     ///< cd, lux or, for the environment, cd/m2
     float range;        ///< metres; infinity where unlimited
     float spot_scale;   ///< KHR_lights_punctual: 1 / max(0.001, cos inner - cos outer)
     float spot_offset;  ///< KHR_lights_punctual: -cos outer * spot_scale
-    float threshold;    ///< of the alias table (Walker 1977) by which lights are picked: where u is less, ...
-    uint alias;         ///< ... this light is, else its alias
+    uint path;          ///< its way down the light tree, from the lowest bit on: 1 leads to a second child
+    uint path_length;   ///< levels
 };
 
 INTEROP_END

@@ -5,6 +5,7 @@
 
 const float PI = 3.14159265358979324;
 const float INFINITY = 1.0 / 0.0;
+const float ONE_BELOW_1 = 0.99999994;  // the largest float32 below 1
 /// Half the distance from 1 to the next float: the largest relative error of one rounding.
 const float UNIT_ROUNDOFF = 5.9604644775390625e-8;  // 2^-24
 

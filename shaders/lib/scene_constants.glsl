@@ -13,16 +13,13 @@ layout(constant_id = SPEC_HAS_PUNCTUAL_LIGHTS) const bool HAS_PUNCTUAL_LIGHTS = 
 layout(constant_id = SPEC_HAS_GLOSSY) const bool HAS_GLOSSY = true;
 layout(constant_id = SPEC_HAS_MIRROR) const bool HAS_MIRROR = true;
 layout(constant_id = SPEC_EXCLUDES_INSTANCE) const bool EXCLUDES_INSTANCE = false;
+/// Lights that are nowhere, the first of all, and all of them, which from MOST_TOLD_LIGHTS on may be more: scenes with many
+/// lights share their kernels.
+layout(constant_id = SPEC_INFINITE_LIGHTS) const uint INFINITE_LIGHTS = 0u;
 layout(constant_id = SPEC_LIGHT_COUNT) const uint LIGHT_COUNT = 0u;
 /// Index of the environment among the lights, or NONE.
 layout(constant_id = SPEC_ENVIRONMENT_LIGHT) const uint ENVIRONMENT_LIGHT = 0u;
 const bool HAS_ENVIRONMENT = ENVIRONMENT_LIGHT != NONE;
-/// Some surfaces overlap in one plane; how far apart they are at most, metres.
-layout(constant_id = SPEC_LAYER_DISTANCE) const uint LAYER_DISTANCE_BITS = 0u;
-const bool HAS_LAYERS = LAYER_DISTANCE_BITS != 0u;
-
-float layer_distance() {
-    return uintBitsToFloat(LAYER_DISTANCE_BITS);
-}
+layout(constant_id = SPEC_HAS_LAYERS) const bool HAS_LAYERS = false;
 
 #endif

@@ -8,6 +8,7 @@
 #include "interop/frame.h"
 #include "interop/glossy_map.h"
 #include "interop/light_mesh.h"
+#include "interop/light_tree.h"
 #include "interop/lobe_albedo.h"
 #include "interop/radiance_bounds.h"
 #include "interop/raster.h"
@@ -223,8 +224,13 @@ std::map<std::string, HostStruct> host_structs() {
          {sizeof(LightInfo),
           {AT(LightInfo, type), AT(LightInfo, triangle), AT(LightInfo, probability), AT(LightInfo, position),
            AT(LightInfo, direction), AT(LightInfo, intensity), AT(LightInfo, range),
-           AT(LightInfo, spot_scale), AT(LightInfo, spot_offset), AT(LightInfo, threshold),
-           AT(LightInfo, alias)}}},
+           AT(LightInfo, spot_scale), AT(LightInfo, spot_offset), AT(LightInfo, path),
+           AT(LightInfo, path_length)}}},
+        {"LightCluster",
+         {sizeof(LightCluster),
+          {AT(LightCluster, centre), AT(LightCluster, radius), AT(LightCluster, power),
+           AT(LightCluster, axis), AT(LightCluster, cos_spread), AT(LightCluster, child)}}},
+        {"LightTreeNode", {sizeof(LightTreeNode), {AT(LightTreeNode, first), AT(LightTreeNode, second)}}},
     };
 }
 
@@ -251,7 +257,8 @@ std::string layout_problem(const SpirvModule::Struct& device, const HostStruct& 
 
 /// Structs that kernels make of texels word by word, and how many words those take.
 const std::map<std::string, std::size_t> kReadAsTexels = {
-    {"BvhNode", 20}, {"BvhTriangle", 9}, {"LightMeshRoot", 4}, {"LightMeshSplit", 4}, {"LightMeshSide", 12}};
+    {"BvhNode", 20},       {"BvhTriangle", 9},  {"LightMeshRoot", 4}, {"LightMeshSplit", 4},
+    {"LightMeshSide", 12}, {"LightCluster", 8}, {"LightTreeNode", 16}};
 
 TEST(Interop, StructsReadAsTexelsAreWordAfterWord) {
     const auto hosts = host_structs();

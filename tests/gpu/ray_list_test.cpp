@@ -130,8 +130,9 @@ TEST_F(RayListOnDevice, HonoursTheEndOfTheRay) {
     }
 }
 
-TEST_F(RayListOnDevice, BreaksTiesByTheLowestTriangle) {
-    // A thousand copies of one triangle: whatever the order of the search, the first in device order is told.
+// A thousand copies of one triangle: whatever the order of the search, the last of the scene lies on top; and
+// where nobody tells which one does, the first in device order is hit.
+TEST_F(RayListOnDevice, BreaksTiesByLayersThenByTheLowestTriangle) {
     test::TriangleSoup soup;
     for (int i = 0; i < 1000; ++i)
         soup.add({-1, -1, 0}, {1, -1, 0}, {0, 1, 0.5f});
@@ -140,7 +141,11 @@ TEST_F(RayListOnDevice, BreaksTiesByTheLowestTriangle) {
         const glm::vec3 origin(0.2f * sample_2d(33, i, 0) - 0.1f, (i & 1u) != 0 ? 3.0f : -3.0f);
         rays.push_back({origin, -origin, kInfinity, interop::NONE});
     }
-    for (const interop::HitInfo& hit : trace(data_of(soup), rays))
+    SceneData data = data_of(soup);
+    for (const interop::HitInfo& hit : trace(data, rays))
+        ASSERT_EQ(data.bvh.order[hit.triangle], 999u);
+    data.layer_distance = 0.0f;
+    for (const interop::HitInfo& hit : trace(data, rays))
         ASSERT_EQ(hit.triangle, 0u);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choosing among lights: the alias table, and that many lights at once give what each gives alone.
-#include "renderers/scene/light_table.h"
+// Choosing among lights: the probabilities, the noise, and that many lights at once give what each gives
+// alone.
 #include "support/estimate.h"
 #include "support/light_scenes.h"
 #include "support/test_device.h"
@@ -17,74 +17,105 @@ namespace {
 
 class LightChoice : public DeviceTest {};
 
-/// Weights over six decades, some zero.
-std::vector<double> uneven_weights(std::size_t count, std::uint32_t seed) {
-    std::mt19937 engine(seed);
-    std::vector<double> weights;
-    for (std::size_t i = 0; i < count; ++i) {
-        weights.push_back(i % 17 == 5 ? 0.0 : std::pow(10.0, 6.0 * static_cast<double>(engine()) * 0x1p-32));
-    }
-    return weights;
-}
-
-TEST_F(LightChoice, AliasTableHoldsTheProbabilitiesExactly) {
-    for (const std::size_t count : {1u, 2u, 7u, 1000u, 100000u}) {
-        SCOPED_TRACE(count);
-        const std::vector<double> weights = uneven_weights(count, 7);
-        std::vector<interop::LightInfo> lights(count);
-        make_light_table(weights, lights);
-        double sum = 0.0;
-        for (const double weight : weights)
-            sum += weight;
-        std::vector<double> probability(count, 0.0);
-        std::vector<double> entries(count, 1.0);
-        for (std::size_t i = 0; i < count; ++i) {
-            ASSERT_GE(lights[i].threshold, 0.0f);
-            ASSERT_LE(lights[i].threshold, 1.0f);
-            const double own = static_cast<double>(lights[i].threshold);
-            probability[i] += own / static_cast<double>(count);
-            ASSERT_LT(lights[i].alias, count);
-            probability[lights[i].alias] += (1.0 - own) / static_cast<double>(count);
-            entries[lights[i].alias] += 1.0;
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            // Each entry's threshold is rounded to float32: half a unit of 2^-24 of 1 / count.
-            const double rounding = entries[i] * 0x1p-24 / static_cast<double>(count);
-            ASSERT_NEAR(probability[i], weights[i] / sum, rounding + 1e-12) << i;
-            ASSERT_NEAR(static_cast<double>(lights[i].probability), weights[i] / sum,
-                        0x1p-24 * weights[i] / sum);
-        }
-    }
-}
-
-TEST_F(LightChoice, TheDeviceChoosesByTheTable) {
-    constexpr std::size_t kLights = 40;
-    constexpr std::size_t kSamples = 400000;
+/// Lamps and punctual lights of all kinds about a receiver.
+Scene many_lights(std::size_t count) {
     Scene scene;
     std::mt19937 engine(3);
-    for (std::size_t i = 0; i < kLights; ++i) {
-        Light light;
-        light.position = {static_cast<double>(i), 1.0, 0.0};
-        light.intensity = glm::vec3(1.0f + static_cast<float>(engine() % 1000));
-        scene.lights.push_back(light);
+    const auto uniform = [&] { return static_cast<double>(engine()) * 0x1p-32; };
+    scene.environment = {0.01f, 0.01f, 0.02f};
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3 place(6.0 * uniform() - 3.0, 6.0 * uniform() - 3.0, 6.0 * uniform() - 3.0);
+        const auto bright = static_cast<float>(std::pow(10.0, 3.0 * uniform()));
+        if (i % 3 == 0) {
+            Light light;
+            light.type = i % 2 == 0 ? LightType::point : LightType::spot;
+            light.position = place;
+            light.intensity = glm::vec3(bright);
+            scene.lights.push_back(light);
+        } else {
+            add(scene, ceiling(glm::vec3(place), 0.1f), emitter(glm::vec3(bright)));
+            scene.materials.back().double_sided = i % 2 == 0;
+        }
     }
-    add(scene, ground(1.0f), lambert(glm::vec3(0.5f)));
-    const SceneData data = prepare_scene_data(scene);
-    ASSERT_EQ(data.lights.size(), kLights);
-    std::vector<double> observed(kLights, 0.0);
-    std::vector<double> expected;
-    double sum = 0.0;
-    for (const Light& light : scene.lights)
-        sum += static_cast<double>(light.intensity.x);
-    for (const Light& light : scene.lights) {
-        expected.push_back(kSamples * static_cast<double>(light.intensity.x) / sum);
+    Light sun;
+    sun.type = LightType::directional;
+    sun.intensity = glm::vec3(2.0f);
+    scene.lights.push_back(sun);
+    return scene;
+}
+
+// Every light with the probability that is told of it, which is the same whether one asks while choosing or
+// afterwards.
+TEST_F(LightChoice, TheDeviceChoosesByTheProbabilitiesThatItTells) {
+    constexpr std::size_t kSamples = 400000;
+    for (const std::size_t count : {1u, 2u, 60u}) {
+        SCOPED_TRACE(count);
+        const SceneData data = prepare_scene_data(many_lights(count));
+        interop::ProbePush push{};
+        push.position = {0.3f, -0.2f, 0.1f};
+        push.normal = glm::normalize(glm::vec3(0.2f, 1.0f, 0.4f));
+        std::vector<double> observed(data.lights.size() + 1, 0.0);
+        std::vector<double> expected(data.lights.size() + 1, 0.0);
+        for (const auto& output :
+             probe(device(), data, interop::PROBE_LIGHT_CHOICE, push, random_pairs(kSamples, 300))) {
+            if (output.light == interop::NONE) {
+                observed.back() += 1.0;
+                continue;
+            }
+            ASSERT_LT(output.light, data.lights.size());
+            observed[output.light] += 1.0;
+            // Products of at most 32 factors, each of some roundings.
+            ASSERT_NEAR(output.weight.x, output.pdf, 1e-5f * output.pdf);
+            expected[output.light] = kSamples * static_cast<double>(output.pdf);
+        }
+        // What is left: that the walk ends where no light reaches the point, and lights too improbable to
+        // have been chosen.
+        double rest = kSamples;
+        for (const double value : expected)
+            rest -= value;
+        EXPECT_GT(rest, -1e-5 * kSamples);
+        expected.back() = std::max(rest, 0.0);
+        EXPECT_GE(chi_square_p_value(observed, expected), kRejection);
     }
-    for (const auto& output :
-         probe(device(), data, interop::PROBE_LIGHT_CHOICE, {}, random_pairs(kSamples, 300))) {
-        ASSERT_LT(output.light, kLights);
-        observed[output.light] += 1.0;
+}
+
+/// A unit square of radiance 1 over the ground, of so many squares along an edge.
+Scene tiled_ceiling(int tiles, double height) {
+    Scene scene;
+    add(scene, ground(2.0f), lambert(glm::vec3(0.8f)));
+    const float half = 0.5f / static_cast<float>(tiles);
+    for (int i = 0; i < tiles * tiles; ++i) {
+        const auto x = static_cast<float>(i % tiles);
+        const auto z = static_cast<float>(i / tiles);
+        add(scene,
+            ceiling({(2.0f * x + 1.0f) * half - 0.5f, static_cast<float>(height),
+                     (2.0f * z + 1.0f) * half - 0.5f},
+                    half),
+            emitter(glm::vec3(1.0f)));
     }
-    EXPECT_GE(chi_square_p_value(observed, expected), kRejection);
+    return scene;
+}
+
+// Lights are chosen by about what they bring. Were all of a square's directions equally probable, a sample's
+// variance would be a third of its mean's square at most (see area_lights_test.cpp); chosen by power alone it
+// is tens of times as large next to many.
+TEST_F(LightChoice, NoiseUnderManyLightsIsThatUnderFew) {
+    constexpr std::uint32_t kSamples = 256;
+    // 256 pixels tell a variance to 2 sqrt(2 / 255), at 4.5 standard errors to 1.4 times of it.
+    constexpr double kMostVariance = 1.4 / 3.0;
+    for (const int tiles : {1, 4, 32}) {
+        for (const double height : {1.0, 0.1, 0.01}) {
+            SCOPED_TRACE(testing::Message() << tiles << " tiles along an edge, height " << height);
+            Observer observer(device(), tiled_ceiling(tiles, height));
+            const Estimate estimate =
+                observer.look({2.0 * height, 0.5 * height, 0.0}, {0.0, 0.0, 0.0}, kSamples);
+            const double sine = 0.5 / std::hypot(0.5, height);
+            const double expected = 4.0 * sine * std::atan(sine) * 0.8 / 3.14159265358979;
+            expect_radiance(estimate, expected, 5e-3);
+            const double relative = estimate.standard_error.x / expected;
+            EXPECT_LE(relative * relative * kSamples * kCloseUpSize * kCloseUpSize, kMostVariance);
+        }
+    }
 }
 
 /// A ground with some blocks on it under lights of every kind. A light that is off keeps its surface.

@@ -30,10 +30,11 @@ struct ProbePush {
 
 struct ProbeOutput {
     vec3 direction;
-    float pdf;    ///< of a surface: its eta
+    float pdf;    ///< of a surface: its eta; of a choice: its probability
     vec3 target;  ///< on the light; of a lobe: its value times the cosine
     uint light;   ///< of a surface: 1 if its front is seen
-    vec3 weight;  ///< of a lobe: what its sample's throughput says that value is
+    vec3 weight;  ///< of a lobe: what its sample's throughput says that value is; of a choice, in x:
+                  ///< choice_probability()
 };
 
 INTEROP_END

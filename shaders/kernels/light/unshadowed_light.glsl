@@ -127,14 +127,14 @@ vec3 unshadowed_irradiance(uint index, Surface surface) {
         return radiance == vec3(0.0) ? radiance : radiance * triangle_irradiance(vertices, surface);
     }
     if (HAS_ENVIRONMENT && light.type == LIGHT_ENVIRONMENT) return environment_irradiance(surface) * light.intensity;
-    LightSample s = sample_punctual_light(light, light.probability, surface);
+    LightSample s = sample_punctual_light(light, 1.0, surface);
     if (!is_above(surface, s.direction)) return vec3(0.0);
-    return s.irradiance * (light.probability * dot(surface.ns, s.direction));
+    return s.irradiance * dot(surface.ns, s.direction);
 }
 
 vec3 unshadowed_irradiance(Surface surface) {
     vec3 sum = vec3(0.0);
-    for (uint i = 0u; i < LIGHT_COUNT; ++i) sum += unshadowed_irradiance(i, surface);
+    for (uint i = 0u; i < light_count(); ++i) sum += unshadowed_irradiance(i, surface);
     return sum;
 }
 

@@ -4,8 +4,7 @@
 #define UTSURI_KERNELS_RASTER_DRAWN_PROJECTION
 
 #include "kernels/raster/view.glsl"
-#include "kernels/scene/scene_bindings.glsl"
-#include "lib/triangle_geometry.glsl"
+#include "kernels/scene/layers.glsl"
 
 // Passes over the same triangles must agree on their depth to the bit.
 invariant gl_Position;
@@ -13,8 +12,8 @@ invariant gl_Position;
 /// Depth by which a triangle is moved back for each that lies on it in its plane: by how much rounding may put it in front.
 /// @param w of a point of it, along the viewing direction
 float depth_behind_layers(uint triangle, float w) {
-    /// Corners move to 1/256 of a pixel along each axis, of either triangle.
-    const float SNAPPED = 1.0 / 64.0;  // of a pixel
+    /// Corners move to the nearest 1/256 of a pixel, those of either triangle.
+    const float SNAPPED = 1.0 / 256.0;  // of a pixel
     /// Depth is interpolated with some roundings of the largest, which may lie outside the picture.
     const float DEPTH_ROUNDING = 1.0 / 262144.0;
     /// Vertices and plane are each known to the distance of layers.

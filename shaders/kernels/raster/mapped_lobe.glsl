@@ -15,13 +15,12 @@ vec3 punctual_highlights(vec3 wo) {
     Reservoir reservoir = empty_reservoir(sample_2d(drawn_sampler_key(), frame.sample_index >> 1, 1u).x);
     Candidate taken;
     // They come before lights with extent.
-    for (uint i = 0u; i < LIGHT_COUNT && lights[i].type != LIGHT_TRIANGLE; ++i) {
+    for (uint i = 0u; i < light_count() && lights[i].type != LIGHT_TRIANGLE; ++i) {
         if (HAS_ENVIRONMENT && i == ENVIRONMENT_LIGHT) continue;
-        float probability = lights[i].probability;
-        LightSample s = sample_punctual_light(lights[i], probability, surface);
+        LightSample s = sample_punctual_light(lights[i], 1.0, surface);
         if (!is_above(surface, s.direction)) continue;
         vec3 value =
-            glossy_value(surface, wo, s.direction) * s.irradiance * (probability * dot(surface.ns, s.direction));
+            glossy_value(surface, wo, s.direction) * s.irradiance * dot(surface.ns, s.direction);
         if (takes(reservoir, value.x + value.y + value.z)) taken = Candidate(s, value);
     }
     if (reservoir.taken == 0.0 || !is_light_visible(surface, taken.light, NONE)) return vec3(0.0);

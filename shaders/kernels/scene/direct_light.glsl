@@ -32,9 +32,12 @@ struct Candidate {
     vec3 value;
 };
 
+const Candidate NO_CANDIDATE = Candidate(LightSample(vec3(0.0), vec3(0.0), false, vec3(0.0), 0.0, NONE), vec3(0.0));
+
 /// @param lobes that reflect the light: bits of WIDE_LOBES
-Candidate make_candidate(Surface surface, vec3 wo, uint lobes, float choice, vec2 u) {
-    LightSample s = sample_light(choose_light(receiver_of(surface), choice), surface, u);
+Candidate make_candidate(Surface surface, vec3 wo, uint lobes, LightChoice chosen, vec2 u) {
+    if (chosen.light == NONE) return NO_CANDIDATE;
+    LightSample s = sample_light(chosen, surface, u);
     if (!is_above(surface, s.direction)) return Candidate(s, vec3(0.0));
     vec3 bsdf = (lobes & (1u << LOBE_DIFFUSE)) != 0u ? diffuse_value(surface, wo, s.direction) : vec3(0.0);
     if (HAS_GLOSSY && (lobes & (1u << LOBE_GLOSSY)) != 0u && is_glossy(surface)) {
@@ -44,17 +47,20 @@ Candidate make_candidate(Surface surface, vec3 wo, uint lobes, float choice, vec
     return Candidate(s, bsdf * s.irradiance * dot(surface.ns, s.direction));
 }
 
-/// Resampled importance sampling (Talbot, Cline and Egbert 2005): of a few candidates, stratified over the light table,
-/// one is taken by its unshadowed value, so that near and facing lights are not left to chance.
+/// Resampled importance sampling (Talbot, Cline and Egbert 2005): of a few candidates, stratified over the lights, one is
+/// taken by its unshadowed value.
+/// @param evenly all lights are equally probable candidates; else by what they may bring
 /// @returns with a value that is divided by the chance of this one; zero if no candidate brings anything
-Candidate resample_lights(Surface surface, vec3 wo, uint lobes, vec2 choice, vec2 u) {
+Candidate resample_lights(Surface surface, vec3 wo, uint lobes, bool evenly, vec2 choice, vec2 u) {
     uint count = min(LIGHT_COUNT, MOST_CANDIDATES);
-    Candidate taken = Candidate(LightSample(vec3(0.0), vec3(0.0), false, vec3(0.0), 0.0, NONE), vec3(0.0));
+    Candidate taken = NO_CANDIDATE;
     Reservoir reservoir = empty_reservoir(choice.y);
     for (uint i = 0u; i < count; ++i) {
         // Shifted by a sequence that fills the square evenly (Roberts 2018); each candidate's u stays uniform.
         vec2 shifted = fract(u + float(i) * vec2(0.754877666, 0.569840291));
-        Candidate candidate = make_candidate(surface, wo, lobes, (float(i) + choice.x) / float(count), shifted);
+        float chosen_by = (float(i) + choice.x) / float(count);
+        LightChoice chosen = evenly ? choose_evenly(chosen_by) : choose_light(receiver_of(surface), chosen_by);
+        Candidate candidate = make_candidate(surface, wo, lobes, chosen, shifted);
         if (takes(reservoir, candidate.value.x + candidate.value.y + candidate.value.z)) taken = candidate;
     }
     if (reservoir.taken > 0.0) taken.value *= reservoir.sum / (reservoir.taken * float(count));
@@ -68,7 +74,7 @@ vec3 direct_light(Surface surface, vec3 wo, uint lobes, uint key, uint index, ui
                   inout uint rays) {
     if (LIGHT_COUNT == 0u) return vec3(0.0);
     vec2 choice = sample_2d(key, index, dimension);
-    Candidate taken = resample_lights(surface, wo, lobes, choice, sample_2d(key, index, dimension + 1u));
+    Candidate taken = resample_lights(surface, wo, lobes, false, choice, sample_2d(key, index, dimension + 1u));
     if (taken.value == vec3(0.0)) return vec3(0.0);
     rays += 1u;
     return is_light_visible(surface, taken.light, excluded_instance) ? taken.value : vec3(0.0);

@@ -7,6 +7,16 @@
 #include "kernels/scene/scene_bindings.glsl"
 #include "lib/triangle_geometry.glsl"
 
+/// How far apart surfaces in one plane are at most: layer_distance() of coplanar_layers.h.
+float layer_distance() {
+    uvec4 root = texelFetch(bvh_nodes, 0).xyzw;
+    vec3 lower = uintBitsToFloat(root.xyz);
+    vec3 upper = lower + 255.0 * uintBitsToFloat(uvec3(root.w, root.w >> 8u, root.w >> 16u) << 23u & 0x7f800000u);
+    float largest = max_component(max(abs(lower), abs(upper)));
+    // The next power of two, times 2^-19.
+    return uintBitsToFloat((floatBitsToUint(largest) & 0x7f800000u) + (1u << 23u)) / 524288.0;
+}
+
 /// What the host finds to be in one plane in float64 is so here to within this many distances of layers.
 const float LAYER_ROUNDING = 2.0;
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choosing a light and a point on it.
+// Light samples: a point on a light, or a direction to it.
 #ifndef UTSURI_KERNELS_SCENE_LIGHTS
 #define UTSURI_KERNELS_SCENE_LIGHTS
 
 #include "interop/scene.h"
 #include "lib/cosine.glsl"
+#include "kernels/scene/light_choice.glsl"
 #include "kernels/scene/surface.glsl"
 #include "kernels/scene/triangle_sampling.glsl"
 
@@ -16,18 +17,6 @@ struct LightSample {
     float pdf;           ///< over solid angle, choice of the light included; 0 for lights without extent
     uint triangle;       ///< the light's, or NONE
 };
-
-/// A light for a point, by power (Walker's alias method, 1977). u is used up.
-uint choose_light(Receiver receiver, float u) {
-    float scaled = u * float(LIGHT_COUNT);
-    uint entry = min(uint(scaled), LIGHT_COUNT - 1u);
-    return scaled - float(entry) < lights[entry].threshold ? entry : lights[entry].alias;
-}
-
-/// The probability with which choose_light() takes a light for a point.
-float choice_probability(uint light, Receiver receiver) {
-    return lights[light].probability;
-}
 
 LightSample sample_triangle_light(LightInfo light, float probability, Surface surface, vec2 u) {
     BvhTriangle vertices = bvh_triangle(light.triangle);
@@ -110,18 +99,18 @@ LightSample sample_environment(LightInfo light, float probability, Surface surfa
     return s;
 }
 
-LightSample sample_light(uint index, Surface surface, vec2 u) {
+/// @param choice of a light, not NONE
+LightSample sample_light(LightChoice choice, Surface surface, vec2 u) {
     const bool ONLY_TRIANGLES = !HAS_PUNCTUAL_LIGHTS && !HAS_ENVIRONMENT;
     const bool ONLY_ENVIRONMENT = !HAS_PUNCTUAL_LIGHTS && !HAS_TRIANGLE_LIGHTS;
-    LightInfo light = lights[index];
-    float probability = choice_probability(index, receiver_of(surface));
+    LightInfo light = lights[choice.light];
     if (HAS_TRIANGLE_LIGHTS && (ONLY_TRIANGLES || light.type == LIGHT_TRIANGLE)) {
-        return sample_triangle_light(light, probability, surface, u);
+        return sample_triangle_light(light, choice.probability, surface, u);
     }
     if (HAS_ENVIRONMENT && (ONLY_ENVIRONMENT || light.type == LIGHT_ENVIRONMENT)) {
-        return sample_environment(light, probability, surface, u);
+        return sample_environment(light, choice.probability, surface, u);
     }
-    return sample_punctual_light(light, probability, surface);
+    return sample_punctual_light(light, choice.probability, surface);
 }
 
 #endif

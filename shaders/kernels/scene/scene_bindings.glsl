@@ -13,6 +13,7 @@
 // What rays walk through is read as texels of four words: see binding_set.h.
 layout(set = SCENE_SET, binding = BINDING_BVH_NODES) uniform usamplerBuffer bvh_nodes;
 layout(set = SCENE_SET, binding = BINDING_BVH_TRIANGLES) uniform usamplerBuffer bvh_triangles;
+layout(set = SCENE_SET, binding = BINDING_LIGHT_TREE) uniform usamplerBuffer light_tree;
 layout(scalar, set = SCENE_SET, binding = BINDING_TRIANGLE_INFOS) readonly restrict buffer TriangleInfos { TriangleInfo triangle_infos[]; };
 layout(scalar, set = SCENE_SET, binding = BINDING_NORMALS) readonly restrict buffer Normals { vec3 normals[]; };
 layout(scalar, set = SCENE_SET, binding = BINDING_TEXCOORDS) readonly restrict buffer Texcoords { vec2 texcoords[]; };

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -14,8 +15,9 @@ namespace utsuri {
 namespace {
 
 /// Two corners and a plane that were meant to be in one place are off by a rounding of each coordinate, each;
-/// a plane is also that of corners some of its size away.
-constexpr double kRoundings = 16.0;
+/// a plane is also that of corners some of its size away. Some 16 roundings of three coordinates: 2^-24 times
+/// 16 sqrt(3).
+constexpr float kRoundings = 0x1p-19f;
 
 /// Triangles that overlap by less than this many distances of layers are neighbours that share an edge.
 constexpr double kLeastOverlap = 4.0;
@@ -105,11 +107,19 @@ class PairFinder {
 }  // namespace
 
 float layer_distance(const SceneData& scene) {
-    return static_cast<float>(std::exp2(std::ceil(std::log2(kRoundings * vertex_error(scene)))));
+    const glm::uvec4& root = scene.bvh.nodes.front().origin_exponents;
+    float largest = 0.0f;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto lower = std::bit_cast<float>(root[axis]);
+        const auto cell = std::bit_cast<float>((root.w >> (8 * axis) & 0xffu) << 23);
+        largest = std::max({largest, std::abs(lower), std::abs(lower + 255.0f * cell)});
+    }
+    return std::ldexp(kRoundings, std::ilogb(largest) + 1);
 }
 
 std::vector<std::uint32_t> count_layers(const SceneData& scene) {
     const auto triangles = static_cast<std::uint32_t>(scene.triangle_infos.size());
+    if (triangles == 0) return {};
     const Order order(scene);
     const PairFinder finder(scene, static_cast<double>(layer_distance(scene)));
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // the lower one, and what lies on it

@@ -10,7 +10,7 @@
 namespace utsuri {
 
 /// How far apart surfaces in one plane are, at most, metres, in scene space: some roundings of the largest
-/// coordinate, rounded up to a power of two.
+/// coordinate of the BVH's root, which kernels know too, rounded up to a power of two.
 float layer_distance(const SceneData& scene);
 
 /// Of each triangle, how many others lie on it, one on top of the other, up to MOST_LAYERS. Where triangles

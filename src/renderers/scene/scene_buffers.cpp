@@ -25,7 +25,8 @@ std::array<SceneBuffer, kSceneBuffers> scene_buffers(const SceneData& data) {
             of("texcoords", interop::BINDING_TEXCOORDS, data.texcoords),
             of("materials", interop::BINDING_MATERIALS, data.materials),
             of("lights", interop::BINDING_LIGHTS, data.lights),
-            of("texels", interop::BINDING_TEXELS, data.texels)};
+            of("texels", interop::BINDING_TEXELS, data.texels),
+            of("light tree", interop::BINDING_LIGHT_TREE, data.light_tree, BindingKind::texels)};
 }
 
 }  // namespace utsuri

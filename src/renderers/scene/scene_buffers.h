@@ -22,7 +22,7 @@ struct SceneBuffer {
 };
 
 /// All of them, in one order.
-inline constexpr std::size_t kSceneBuffers = 8;
+inline constexpr std::size_t kSceneBuffers = 9;
 std::array<SceneBuffer, kSceneBuffers> scene_buffers(const SceneData& data);
 
 }  // namespace utsuri

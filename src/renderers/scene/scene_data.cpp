@@ -7,6 +7,8 @@
 #include "renderers/scene/scene_geometry.h"
 #include "renderers/scene/texture_table.h"
 
+#include <algorithm>
+
 namespace utsuri {
 
 SceneData prepare_scene_data(const Scene& scene) {
@@ -26,6 +28,12 @@ std::optional<std::uint32_t> SceneData::environment_light() const {
         if (lights[i].type == interop::LIGHT_ENVIRONMENT) return i;
     }
     return std::nullopt;
+}
+
+std::uint32_t SceneData::infinite_lights() const {
+    return static_cast<std::uint32_t>(std::count_if(lights.begin(), lights.end(), [](const auto& light) {
+        return light.type == interop::LIGHT_ENVIRONMENT || light.type == interop::LIGHT_DIRECTIONAL;
+    }));
 }
 
 std::uint64_t SceneData::device_bytes() const {

@@ -8,6 +8,7 @@
 #include "scene/scene.h"
 #include "scene/world_geometry.h"
 
+#include "interop/light_tree.h"
 #include "interop/scene.h"
 
 #include <cstdint>
@@ -54,7 +55,8 @@ struct SceneData {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> texcoords;  ///< only with textures
     std::vector<interop::MaterialInfo> materials;
-    std::vector<interop::LightInfo> lights;      ///< environment, punctual ones, then triangles
+    std::vector<interop::LightInfo> lights;  ///< environment, directional, other punctual ones, triangles
+    std::vector<interop::LightTreeNode> light_tree;
     std::vector<TextureHeader> texture_headers;  ///< only textures in use; of the host alone
     std::vector<std::uint32_t> texels;           ///< RGBA8, red in the lowest byte
     double build_seconds = 0.0;                  ///< of the BVH, or of what its last change took
@@ -70,6 +72,8 @@ struct SceneData {
 
     /// Index of the environment among the lights; none if they are black.
     [[nodiscard]] std::optional<std::uint32_t> environment_light() const;
+    /// How many lights are nowhere: the environment and directional ones.
+    [[nodiscard]] std::uint32_t infinite_lights() const;
     /// What the scene takes on the device, in bytes.
     [[nodiscard]] std::uint64_t device_bytes() const;
 };

@@ -151,7 +151,7 @@ GeometryChange follow_geometry(SceneData& before, const Scene& scene, SceneData&
     describe(scene, std::move(world), data);
     // What kernels know of layers stays when a thing is lifted off what it lay on: that takes no other
     // kernels.
-    data.layer_distance = std::max(data.layer_distance, before.layer_distance);
+    if (before.layer_distance > 0.0f) data.layer_distance = layer_distance(data);
     data.geometry_source.instances = scene.instances;
     if (kept_meshes) {
         data.geometry_source.meshes = std::move(before.geometry_source.meshes);

@@ -44,7 +44,7 @@ void main() {
         result.direction = glossy_direction(surface, push.wo, u);
         result.pdf = glossy_pdf(surface, push.wo, result.direction);
     } else if (SAMPLER == PROBE_LIGHT) {
-        LightSample light_sample = sample_light(0u, surface, u);
+        LightSample light_sample = sample_light(LightChoice(0u, choice_probability(0u, receiver_of(surface))), surface, u);
         result.direction = light_sample.direction;
         result.pdf = light_sample.pdf;
         result.target = light_sample.target;
@@ -66,7 +66,10 @@ void main() {
         result.pdf = seen.eta;
         result.direction = seen.ng;
     } else {
-        result.light = choose_light(receiver_of(surface), u.x);
+        LightChoice choice = choose_light(receiver_of(surface), u.x);
+        result.light = choice.light;
+        result.pdf = choice.probability;
+        result.weight.x = choice.light == NONE ? 0.0 : choice_probability(choice.light, receiver_of(surface));
     }
     outputs[index] = result;
 }

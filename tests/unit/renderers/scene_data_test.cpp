@@ -30,6 +30,22 @@ Light light_of(LightType type, float intensity) {
     return light;
 }
 
+/// The power of a light over that of all.
+double share_of_power(const SceneData& data, std::uint32_t light) {
+    const interop::LightInfo& info = data.lights[light];
+    const auto chosen = static_cast<double>(info.probability);
+    if (light < data.infinite_lights()) return chosen;
+    double power = 1.0;
+    std::uint32_t child = 0;
+    for (std::uint32_t level = 0; level < info.path_length; ++level) {
+        const interop::LightTreeNode& node = data.light_tree[child & interop::LIGHT_CLUSTER_INDEX];
+        const interop::LightCluster& cluster = (info.path >> level & 1u) == 0 ? node.first : node.second;
+        power = static_cast<double>(cluster.power);
+        child = cluster.child;
+    }
+    return chosen * power;
+}
+
 TEST(SceneData, ListsLightsByTheirPower) {
     Scene scene;
     test::add(scene, square(0.0f), test::lambert(glm::vec3(0.5f)));
@@ -41,17 +57,21 @@ TEST(SceneData, ListsLightsByTheirPower) {
     const SceneData data = prepare_scene_data(scene);
 
     const double radius_squared = 0.25 * (1.0 + 1.0 + 4.0);
-    const std::vector<double> powers = {
-        kPi * kPi * radius_squared * 0.5, 4.0 * kPi * 2.0, 2.0 * kPi * (1.0 - std::cos(0.5)) * 7.0,
-        kPi * radius_squared * 11.0,      kPi * 0.5 * 3.0, kPi * 0.5 * 3.0};
+    // The environment and directional ones first.
+    const std::vector<double> powers = {kPi * kPi * radius_squared * 0.5,
+                                        kPi * radius_squared * 11.0,
+                                        4.0 * kPi * 2.0,
+                                        2.0 * kPi * (1.0 - std::cos(0.5)) * 7.0,
+                                        kPi * 0.5 * 3.0,
+                                        kPi * 0.5 * 3.0};
     double sum = 0.0;
     for (const double power : powers)
         sum += power;
     ASSERT_EQ(data.lights.size(), powers.size());
     EXPECT_EQ(data.environment_light(), 0u);
-    for (std::size_t i = 0; i < powers.size(); ++i) {
-        EXPECT_NEAR(static_cast<double>(data.lights[i].probability), powers[i] / sum, kFloat32) << i;
-    }
+    EXPECT_EQ(data.infinite_lights(), 2u);
+    for (std::uint32_t i = 0; i < powers.size(); ++i)
+        EXPECT_NEAR(share_of_power(data, i), powers[i] / sum, kFloat32) << i;
 }
 
 TEST(SceneData, LinksTriangleLightsBothWays) {
@@ -77,9 +97,9 @@ TEST(SceneData, WeighsBothSidesOfADoubleSidedEmitter) {
     test::add(scene, square(1.0f), test::emitter(glm::vec3(1.0f)));
     scene.materials[1].double_sided = true;
     const SceneData data = prepare_scene_data(scene);
-    for (const interop::LightInfo& light : data.lights) {
-        const bool both = data.triangle_infos[light.triangle].instance == 1;
-        EXPECT_NEAR(static_cast<double>(light.probability), both ? 1.0 / 3.0 : 1.0 / 6.0, kFloat32);
+    for (std::uint32_t i = 0; i < data.lights.size(); ++i) {
+        const bool both = data.triangle_infos[data.lights[i].triangle].instance == 1;
+        EXPECT_NEAR(share_of_power(data, i), both ? 1.0 / 3.0 : 1.0 / 6.0, kFloat32);
     }
 }
 
@@ -173,7 +193,7 @@ TEST(SceneData, PredictsItsSizeOnTheDevice) {
     const std::uint64_t expected =
         sizeof(interop::BvhNode) +
         2 * (sizeof(interop::BvhTriangle) + sizeof(interop::TriangleInfo) + sizeof(interop::LightInfo)) +
-        4 * sizeof(glm::vec3) + sizeof(interop::MaterialInfo);
+        4 * sizeof(glm::vec3) + sizeof(interop::MaterialInfo) + sizeof(interop::LightTreeNode);
     EXPECT_EQ(data.device_bytes(), expected);
 }
 
