@@ -55,6 +55,19 @@ def turn_y(degrees):
     return [0.0, math.sin(half), 0.0, math.cos(half)]
 
 
+def turn(axis, degrees):
+    """Quaternion of a right-handed turn about `axis`."""
+    half = math.radians(degrees) / 2
+    return [*(math.sin(half) * c for c in _unit(axis)), math.cos(half)]
+
+
+def after(a, b):
+    """Quaternion of the turn `b`, followed by the turn `a`."""
+    (ax, ay, az, aw), (bx, by, bz, bw) = a, b
+    return [aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
+            aw * bz + ax * by - ay * bx + az * bw, aw * bw - ax * bx - ay * by - az * bz]
+
+
 def _cross(a, b):
     return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
@@ -131,6 +144,38 @@ class Glb:
         index = self._add("materials", material)
         if texture is not None:
             self._textured.add(index)
+        return index
+
+    def finish(self, name, colour=None, roughness=0.5, metallic=0.0, look=None, glow=None, glow_texture=None,
+               specular=None):
+        """A material as exporters write them: double-sided, a dielectric by default, what is default left out.
+
+        `look` is a pair of textures: base colour, and roughness with metallicness, which then decide alone.
+        It emits `glow` (cd/m2), times `glow_texture`. Its meshes always have texture coordinates.
+        """
+        surface = {}
+        if look is None:
+            surface = {"baseColorFactor": _numbers([*(colour or (0.8, 0.8, 0.8)), 1.0]),
+                       "metallicFactor": metallic, "roughnessFactor": roughness}
+        else:
+            if colour is not None:
+                surface["baseColorFactor"] = _numbers([*colour, 1.0])
+            surface["baseColorTexture"] = {"index": look[0]}
+            if look[1] is not None:
+                surface["metallicRoughnessTexture"] = {"index": look[1]}
+            else:
+                surface.update(metallicFactor=metallic, roughnessFactor=roughness)
+        material = {"doubleSided": True, "name": name, "pbrMetallicRoughness": surface}
+        if glow is not None:
+            strength = max(glow)
+            material["emissiveFactor"] = _numbers([c / strength for c in glow])
+            self._extend(material, "KHR_materials_emissive_strength", {"emissiveStrength": strength})
+        if glow_texture is not None:
+            material["emissiveTexture"] = {"index": glow_texture}
+        if specular is not None:
+            self._extend(material, "KHR_materials_specular", {"specularFactor": specular})
+        index = self._add("materials", material)
+        self._textured.add(index)
         return index
 
     def mesh(self, name, parts, normals=True):

@@ -99,7 +99,7 @@ def check_primitive(document, binary, place, primitive):
             require(sum(m * n for m, n in zip(mean, normal)) > 0, place,
                     f"triangle ({a}, {b}, {c}) is wound against its normals")
     material = document["materials"][primitive["material"]]
-    textured = "baseColorTexture" in material["pbrMetallicRoughness"]
+    textured = any(key.endswith("Texture") for key in (*material, *material["pbrMetallicRoughness"]))
     require(not textured or "TEXCOORD_0" in attributes, place, "is textured and has no texture coordinates")
     return len(indices) // 3
 

@@ -212,26 +212,45 @@ def grid(columns, rows, position_at, around=False):
     return patch
 
 
-def tube(points, radius_at, sides):
-    """A tube along a smooth path of `points`; radius_at(t) in metres with t in [0, 1]. Open at both ends."""
-    rings = []
+def path_frames(points):
+    """A pair of unit vectors across a smooth path at each of its points, carried along without a twist.
+
+    For a path in a plane of constant x the first is +X.
+    """
+    frames = []
     side = None
-    for i, point in enumerate(points):
+    for i in range(len(points)):
         tangent = unit(minus(points[min(i + 1, len(points) - 1)], points[max(i - 1, 0)]))
         # Carrying the side vector along keeps the rings from twisting.
         reference = side or ((1.0, 0.0, 0.0) if abs(tangent[0]) < 0.9 else (0.0, 1.0, 0.0))
         across = unit(cross(tangent, reference))
         side = cross(across, tangent)
-        rings.append((point, side, across, radius_at(i / (len(points) - 1))))
+        frames.append((side, across))
+    return frames
+
+
+def tube(points, radius_at, sides):
+    """A tube along a smooth path of `points`; radius_at(t) in metres with t in [0, 1]. Open at both ends."""
     patch = Patch()
-    for point, first, second, radius in rings:
+    for i, (point, (first, second)) in enumerate(zip(points, path_frames(points))):
+        radius = radius_at(i / (len(points) - 1))
         for step in range(sides):
             angle = math.tau * step / sides
             c, s = math.cos(angle), math.sin(angle)
             normal = tuple(c * f + s * g for f, g in zip(first, second))
             patch.vertex(tuple(p + radius * n for p, n in zip(point, normal)), normal)
-    for i in range(len(rings) - 1):
+    for i in range(len(points) - 1):
         for step in range(sides):
             a, b = i * sides + step, i * sides + (step + 1) % sides
             patch.triangles += [(a, b, b + sides), (a, b + sides, a + sides)]
     return patch
+
+
+def spline(points, t):
+    """A Catmull-Rom spline through `points`, t in [0, 1]; its end pieces go on beyond."""
+    place = t * (len(points) - 1)
+    i = max(0, min(int(place), len(points) - 2))
+    s = place - i
+    near = [points[min(max(i + k, 0), len(points) - 1)] for k in (-1, 0, 1, 2)]
+    return tuple(0.5 * (2 * b + (c - a) * s + (2 * a - 5 * b + 4 * c - d) * s ** 2
+                        + (3 * (b - c) + d - a) * s ** 3) for a, b, c, d in zip(*near))

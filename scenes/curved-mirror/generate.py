@@ -34,16 +34,6 @@ MATTE = {"wood": (0.45, 0.27, 0.14), "graphite": (0.045, 0.045, 0.05), "ceiling"
          "green": (0.10, 0.36, 0.14), "cream": (0.80, 0.76, 0.66)}
 
 
-def spline(points, t):
-    """A Catmull-Rom spline through `points`, t in [0, 1]; its end pieces go on beyond."""
-    place = t * (len(points) - 1)
-    i = max(0, min(int(place), len(points) - 2))
-    s = place - i
-    near = [points[min(max(i + k, 0), len(points) - 1)] for k in (-1, 0, 1, 2)]
-    return tuple(0.5 * (2 * b + (c - a) * s + (2 * a - 5 * b + 4 * c - d) * s ** 2
-                        + (3 * (b - c) + d - a) * s ** 3) for a, b, c, d in zip(*near))
-
-
 def turned_surface(columns, rows, profile_at):
     """Turns the smooth curve profile_at(v) = (radius, y) about +Y, v in [0, 1]: smooth normals.
 
@@ -67,7 +57,7 @@ def turned_surface(columns, rows, profile_at):
 
 
 def vase():
-    return turned_surface(VASE_COLUMNS, VASE_ROWS, lambda v: spline(VASE, v))
+    return turned_surface(VASE_COLUMNS, VASE_ROWS, lambda v: shapes.spline(VASE, v))
 
 
 def ring():
