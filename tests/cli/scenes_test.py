@@ -48,8 +48,8 @@ class Scenes(CliCase):
         self.render(path)
 
     def test_kept_scenes_have_tests(self):
-        kept = {"cluttered-mirror", "cornell", "curved-mirror", "mirror-cornell", "mirror-corridor", "office",
-                "spheres"}
+        kept = {"chrome", "cluttered-mirror", "cornell", "corner", "curved-mirror", "dielectric", "loft",
+                "mirror-cornell", "mirror-corridor", "office", "spheres"}
         self.assertGreaterEqual({path.stem for path in kept_scenes()}, kept)
 
 
