@@ -152,12 +152,12 @@ class BadWords(BadOptions):
         def refuse(text, *words):
             path = self.scratch / "proxy.txt"
             path.write_text(text, encoding="utf-8")
-            for command in (("render", self.scene("office"), "-o", "picture.exr"),
-                            ("compare", self.scene("office"), "-o", "folder")):
+            for command in (("render", self.scene("office-lambert"), "-o", "picture.exr"),
+                            ("compare", self.scene("office-lambert"), "-o", "folder")):
                 self.fail_with(INPUT, ("read proxy", "proxy.txt", *words), *command, "--proxy", path)
 
         self.fail_with(INPUT, ("read proxy", "nowhere.txt", "cannot be opened"),
-                       "render", self.scene("office"), "-o", "picture.exr", "--proxy", "nowhere.txt")
+                       "render", self.scene("office-lambert"), "-o", "picture.exr", "--proxy", "nowhere.txt")
         box = "1 0 0 4\n-1 0 0 0\n0 1 0 3\n0 -1 0 0\n0 0 1 5\n"
         refuse(box + "0 0 -1\n", "line 6", "four numbers", "distance along it from the world's origin")
         refuse(box + "0 0 0 0\n", "line 6", "not zero")

@@ -52,7 +52,7 @@ class CompareOffice(Compare):
         super().setUp()
         self.scratch = pathlib.Path(self.holder.name)
         if self.done is None:
-            type(self).done = self.succeed("compare", self.scene("office"), "-o", "report", *cheap_compare(),
+            type(self).done = self.succeed("compare", self.scene("office-lambert"), "-o", "report", *cheap_compare(),
                                            "--seed", "5", "--json", "copy.json")
         self.values = self.load("report/compare.json")
 
@@ -74,7 +74,7 @@ class CompareOffice(Compare):
 
     def test_top_level(self):
         self.assert_fields(self.values, TOP_FIELDS)
-        expected = {"schema": 1, "scene": str(self.scene("office")), "width": 64, "height": 48, "seed": 5,
+        expected = {"schema": 1, "scene": str(self.scene("office-lambert")), "width": 64, "height": 48, "seed": 5,
                     "light": "direct", "kept_light": False, "triangles": 3692, "interrupted": False, "notes": []}
         self.assertEqual({name: self.values[name] for name in expected}, expected)
         self.assertEqual(sorted(self.values["device"]), ["api", "driver", "name"])
@@ -185,7 +185,7 @@ class CompareOthers(Compare):
         device = listed["devices"][listed["chosen"]]
         if device["storage_range_bytes"] >= needed:
             self.skipTest(f"{device['name']} can hold the largest maps there are")
-        done = self.succeed("compare", self.scene("office"), "-o", "report", "--size", "64x48", "--spp", "2",
+        done = self.succeed("compare", self.scene("office-lambert"), "-o", "report", "--size", "64x48", "--spp", "2",
                             "--reference-spp", "2", "--map-size", "4096", "--methods", "polygon-map,trace",
                             code=USAGE)
         self.assertRegex(done.stderr, "direct/polygon-map: .*--map-size may be at most")

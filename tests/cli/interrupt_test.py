@@ -88,12 +88,12 @@ class Interrupt(CliCase):
         picture_file.read_png(self.scratch / "picture.png")
 
     def test_render_without_a_sample_leaves_nothing(self):
-        self.interrupt("preparing", "render", self.scene("office"), "-o", "picture.exr", *SMALL,
+        self.interrupt("preparing", "render", self.scene("office-lambert"), "-o", "picture.exr", *SMALL,
                        *ENDLESS_MAPS, "--reflection", "polygon-map")
         self.assertEqual(self.files(), [])
 
     def test_compare_keeps_finished_methods(self):
-        self.interrupt("direct/polygon-map, capturing maps", "compare", self.scene("office"), "-o", "report",
+        self.interrupt("direct/polygon-map, capturing maps", "compare", self.scene("office-lambert"), "-o", "report",
                        *SMALL, "--spp", "2", "--reference-spp", "2", *ENDLESS_MAPS)
         values = self.load("report/compare.json")
         self.assertTrue(values["interrupted"])
@@ -113,7 +113,7 @@ class Interrupt(CliCase):
 
     def test_trade_keeps_finished_runs(self):
         self.interrupt(r"2 of \d+: --reflection polygon-map --map-size 128, preparing", "trade",
-                       self.scene("office"), "-o", "out", *SMALL, "--methods", "trace,polygon-map",
+                       self.scene("office-lambert"), "-o", "out", *SMALL, "--methods", "trace,polygon-map",
                        "--most-spp", "2", "--reference-spp", "2", *ENDLESS_MAPS)
         values = self.load("out/trade.json")
         self.assertTrue(values["interrupted"])

@@ -13,7 +13,7 @@ WITHOUT_DEFAULT = {"--help", "--quiet", "--json", "--fail-above", "--time", "--n
 UNITS = {"--size": "pixels", "--exposure": "stops", "--capture-point": "metres", "--map-size": "Texels",
          "--map-spp": "per texel", "--spp": "per pixel", "--reference-spp": "per pixel", "--time": "500ms"}
 # As counted by the scenes' own generators.
-TRIANGLES = {"cornell": 38, "office": 3692, "spheres": 20494}
+TRIANGLES = {"cornell": 38, "office-lambert": 3692, "spheres": 20494}
 
 
 def option_entries(text):
@@ -49,7 +49,7 @@ class Queries(CliCase):
         self.assertEqual(self.succeed("devices", "--quiet").stdout, "")
 
     def test_info_text(self):
-        text = self.succeed("info", self.scene("office")).stdout
+        text = self.succeed("info", self.scene("office-lambert")).stdout
         for words in ("size [m]", "triangles                 3692 in", "0: camera", "emissive triangles",
                       "chrome ball", "mirror", "unbounded", "memory predicted at 512x384, maps of 256"):
             self.assertIn(words, text)
@@ -67,24 +67,24 @@ class Queries(CliCase):
         expected = {"emissive_triangles": 2, "punctual_lights": 0, "environment": False, "textures": False,
                     "glossy": False, "mirror": False, "reflective_instances": [], "specular_depth": 0}
         self.assertEqual(cornell, expected)
-        office = self.json_of("info", self.scene("office"))["requires"]
+        office = self.json_of("info", self.scene("office-lambert"))["requires"]
         self.assertEqual(office["emissive_triangles"], 16)
         self.assertEqual(sorted(office["reflective_instances"]), ["chrome ball", "mirror"])
         self.assertIsNone(office["specular_depth"])
 
     def test_info_predicts_memory(self):
-        small = self.json_of("info", self.scene("office"), "--size", "64x48")["predicted_bytes"]
-        large = self.json_of("info", self.scene("office"), "--size", "640x480")["predicted_bytes"]
+        small = self.json_of("info", self.scene("office-lambert"), "--size", "64x48")["predicted_bytes"]
+        large = self.json_of("info", self.scene("office-lambert"), "--size", "640x480")["predicted_bytes"]
         self.assertEqual(large["film"], 100 * small["film"])
         self.assertEqual(large["drawing"], 100 * small["drawing"])
         self.assertEqual(large["scene"], small["scene"])
         self.assertGreater(small["light"], 0)
         self.assertEqual(large["light"], small["light"])
-        tetrahedron = self.json_of("info", self.scene("office"), "--polyhedron", "tetrahedron")["predicted_bytes"]
-        cube = self.json_of("info", self.scene("office"))["predicted_bytes"]
+        tetrahedron = self.json_of("info", self.scene("office-lambert"), "--polyhedron", "tetrahedron")["predicted_bytes"]
+        cube = self.json_of("info", self.scene("office-lambert"))["predicted_bytes"]
         film = 48 * 258 * 258  # of one map
         self.assertEqual((tetrahedron["polygon_maps"] - film) * 6, (cube["polygon_maps"] - film) * 4)
-        coarse = self.json_of("info", self.scene("office"), "--map-size", "64")["predicted_bytes"]
+        coarse = self.json_of("info", self.scene("office-lambert"), "--map-size", "64")["predicted_bytes"]
         self.assertGreater(coarse["distances"], 0)
         self.assertGreater(cube["distances"], coarse["distances"])
 
@@ -93,7 +93,7 @@ class Queries(CliCase):
         self.assertEqual(predicted["polygon_maps"], 0)
         self.assertEqual(predicted["glossy_maps"], 0)
         self.assertEqual(predicted["distances"], 0)
-        self.assertGreater(self.json_of("info", self.scene("office"))["predicted_bytes"]["glossy_maps"], 0)
+        self.assertGreater(self.json_of("info", self.scene("office-lambert"))["predicted_bytes"]["glossy_maps"], 0)
 
     def test_version_and_help(self):
         self.assertRegex(self.succeed("--version").stdout, r"^utsuri \d+\.\d+\.\d+\n$")

@@ -161,7 +161,7 @@ class RenderMaps(Render):
     def test_given_proxy(self):
         (self.scratch / "proxy.txt").write_text("1 0 0 9\n-1 0 0 9\n0 1 0 9\n0 -1 0 9\n0 0 1 9\n1 0 -1 9\n",
                                                 encoding="utf-8")
-        arguments = ("render", self.scene("office"), *SMALL, *MAPS, "--spp", "2", "--reflection", "proxy-map")
+        arguments = ("render", self.scene("office-lambert"), *SMALL, *MAPS, "--spp", "2", "--reflection", "proxy-map")
         self.json_of(*arguments, "-o", "fitted.exr")
         self.json_of(*arguments, "-o", "given.exr", "--proxy", "proxy.txt")
         self.assertGreater(self.json_of("diff", "fitted.exr", "given.exr")["metrics"]["max"], 0.0)

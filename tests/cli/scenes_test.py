@@ -49,7 +49,7 @@ class Scenes(CliCase):
 
     def test_kept_scenes_have_tests(self):
         kept = {"chrome", "cluttered-mirror", "cornell", "corner", "curved-mirror", "dielectric", "loft",
-                "mirror-cornell", "mirror-corridor", "office", "spheres"}
+                "mirror-cornell", "mirror-corridor", "office", "office-lambert", "spheres"}
         self.assertGreaterEqual({path.stem for path in kept_scenes()}, kept)
 
 

@@ -34,7 +34,7 @@ class Trade(CliCase):
         self.environment = {"XDG_CACHE_HOME": str(self.cache)}
 
     def trade(self, *options, **more):
-        return self.succeed("trade", self.scene("office"), "-o", "out", *PICTURE, *SWEEP, *options,
+        return self.succeed("trade", self.scene("office-lambert"), "-o", "out", *PICTURE, *SWEEP, *options,
                             environment=self.environment, **more)
 
     def kept_files(self):

@@ -19,7 +19,7 @@ class EmbreeComparisonOfScenes : public DeviceTest {
 };
 
 TEST_F(EmbreeComparisonOfScenes, Office) {
-    compare("office");
+    compare("office-lambert");
 }
 TEST_F(EmbreeComparisonOfScenes, Cornell) {
     compare("cornell");

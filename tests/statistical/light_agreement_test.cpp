@@ -106,7 +106,7 @@ TEST_F(LightAgreement, Cornell) {
 }
 
 TEST_F(LightAgreement, Office) {
-    expect_agreement("office");
+    expect_agreement("office-lambert");
 }
 
 TEST_F(LightAgreement, ClutteredRoom) {

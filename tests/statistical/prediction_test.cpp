@@ -358,7 +358,7 @@ TEST_F(PredictedErrorsAmongEverything, AreBounds) {
 
 class PredictedErrorsInTheOffice : public PredictedErrors {};
 TEST_F(PredictedErrorsInTheOffice, AreBounds) {
-    expect_bounds_of("office");
+    expect_bounds_of("office-lambert");
 }
 
 class PredictedErrorsAmongSpheres : public PredictedErrors {};

@@ -204,7 +204,7 @@ TEST_F(RadianceToleranceAmongEverything, Holds) {
 
 class RadianceToleranceInTheOffice : public RadianceTolerance {};
 TEST_F(RadianceToleranceInTheOffice, Holds) {
-    expect_tolerances_hold(scene_file("office"));
+    expect_tolerances_hold(scene_file("office-lambert"));
 }
 
 class RadianceToleranceAmongSpheres : public RadianceTolerance {};
