@@ -17,6 +17,8 @@ layout(constant_id = SPEC_EXCLUDES_INSTANCE) const bool EXCLUDES_INSTANCE = fals
 /// lights share their kernels.
 layout(constant_id = SPEC_INFINITE_LIGHTS) const uint INFINITE_LIGHTS = 0u;
 layout(constant_id = SPEC_LIGHT_COUNT) const uint LIGHT_COUNT = 0u;
+/// Light without shadows is summed in closed form: samples tell the shadows alone.
+layout(constant_id = SPEC_SUMS_LIGHTS) const bool SUMS_LIGHTS = false;
 /// Index of the environment among the lights, or NONE.
 layout(constant_id = SPEC_ENVIRONMENT_LIGHT) const uint ENVIRONMENT_LIGHT = 0u;
 const bool HAS_ENVIRONMENT = ENVIRONMENT_LIGHT != NONE;

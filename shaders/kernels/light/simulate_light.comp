@@ -11,8 +11,6 @@
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
-layout(constant_id = SPEC_SUMS_LIGHTS) const bool SUMS_LIGHTS = false;
-
 layout(push_constant, scalar) uniform Push { LightPush push; };
 
 layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_BOUNDS) readonly restrict buffer LightBoundsBuffer { LightBounds light_bounds[]; };
