@@ -60,8 +60,7 @@ vec3 simulate_light(Surface surface, uint side) {
             samples = s;
             break;
         }
-        // Where what each light brings is known, it is its shadow that samples have to tell: they go to all of them.
-        Candidate taken = resample_lights(surface, surface.ns, 1u << LOBE_DIFFUSE, SUMS_LIGHTS, sample_2d(key, s, 0u), sample_2d(key, s, 1u));
+        Candidate taken = resample_lights(surface, surface.ns, 1u << LOBE_DIFFUSE, sample_2d(key, s, 0u), sample_2d(key, s, 1u));
         if (taken.value == vec3(0.0)) continue;
         sampled += taken.value;
         ++rays;

@@ -48,10 +48,9 @@ Candidate make_candidate(Surface surface, vec3 wo, uint lobes, LightChoice chose
 }
 
 /// Resampled importance sampling (Talbot, Cline and Egbert 2005): of a few candidates, stratified over the lights, one is
-/// taken by its unshadowed value.
-/// @param evenly all lights are equally probable candidates; else by what they may bring
+/// taken by its unshadowed value. Where samples tell shadows alone, those of all lights are asked for evenly.
 /// @returns with a value that is divided by the chance of this one; zero if no candidate brings anything
-Candidate resample_lights(Surface surface, vec3 wo, uint lobes, bool evenly, vec2 choice, vec2 u) {
+Candidate resample_lights(Surface surface, vec3 wo, uint lobes, vec2 choice, vec2 u) {
     uint count = min(LIGHT_COUNT, MOST_CANDIDATES);
     Candidate taken = NO_CANDIDATE;
     Reservoir reservoir = empty_reservoir(choice.y);
@@ -59,7 +58,7 @@ Candidate resample_lights(Surface surface, vec3 wo, uint lobes, bool evenly, vec
         // Shifted by a sequence that fills the square evenly (Roberts 2018); each candidate's u stays uniform.
         vec2 shifted = fract(u + float(i) * vec2(0.754877666, 0.569840291));
         float chosen_by = (float(i) + choice.x) / float(count);
-        LightChoice chosen = evenly ? choose_evenly(chosen_by) : choose_light(receiver_of(surface), chosen_by);
+        LightChoice chosen = SUMS_LIGHTS ? choose_evenly(chosen_by) : choose_light(receiver_of(surface), chosen_by);
         Candidate candidate = make_candidate(surface, wo, lobes, chosen, shifted);
         if (takes(reservoir, candidate.value.x + candidate.value.y + candidate.value.z)) taken = candidate;
     }
@@ -74,7 +73,7 @@ vec3 direct_light(Surface surface, vec3 wo, uint lobes, uint key, uint index, ui
                   inout uint rays) {
     if (LIGHT_COUNT == 0u) return vec3(0.0);
     vec2 choice = sample_2d(key, index, dimension);
-    Candidate taken = resample_lights(surface, wo, lobes, false, choice, sample_2d(key, index, dimension + 1u));
+    Candidate taken = resample_lights(surface, wo, lobes, choice, sample_2d(key, index, dimension + 1u));
     if (taken.value == vec3(0.0)) return vec3(0.0);
     rays += 1u;
     return is_light_visible(surface, taken.light, excluded_instance) ? taken.value : vec3(0.0);

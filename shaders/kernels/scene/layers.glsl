@@ -9,7 +9,7 @@
 
 /// How far apart surfaces in one plane are at most: layer_distance() of coplanar_layers.h.
 float layer_distance() {
-    uvec4 root = texelFetch(bvh_nodes, 0).xyzw;
+    uvec4 root = texelFetch(bvh_nodes, 0);
     vec3 lower = uintBitsToFloat(root.xyz);
     vec3 upper = lower + 255.0 * uintBitsToFloat(uvec3(root.w, root.w >> 8u, root.w >> 16u) << 23u & 0x7f800000u);
     float largest = max_component(max(abs(lower), abs(upper)));
