@@ -52,6 +52,9 @@ struct LightMeshSide {
 struct LightMeshPoint {
     vec3 front;
     vec3 back;
+    uint lit;  ///< groups of lights of which nothing is in shadow there: a bit each, those of the back higher
+               ///< by MOST_LIGHT_GROUPS; groups that bring nothing have both bits
+    uint dark;  ///< groups that are in full shadow
 };
 
 /// Where a point is.
@@ -60,6 +63,8 @@ struct LightMeshPlace {
     float b1;  ///< barycentric coordinates on it
     float b2;
     uint known;  ///< 1: what was kept at the point is right unless a change has reached it
+    uint lit;    ///< groups that are lit on both sides of the place: a few samples confirm it there
+    uint dark;
 };
 
 /// Where light comes from.
@@ -80,8 +85,10 @@ struct LightPush {
     uint end_point;
     uint samples;  ///< of each point and side, at most
     uint seed;
-    uint light_bounds;   ///< how many
-    uint changed_boxes;  ///< known points that light reaches through none of them keep what they have
+    uint light_bounds;     ///< how many
+    uint plain_triangles;  ///< SummedLights without a texture, which are the first
+    uint triangles;        ///< with those that have one
+    uint changed_boxes;    ///< known points that light reaches through none of them keep what they have
 };
 
 INTEROP_END

@@ -174,8 +174,8 @@ void add_sampling_options(CLI::App& command, PictureOptions& options) {
     command
         .add_option(
             "--light-spp", options.light_samples,
-            "Shadow rays at most at each point where light is kept on surfaces, for methods that draw and "
-            "--kept-light")
+            "Shadow rays at most on each side of a point where light is kept on surfaces (one for each lamp "
+            "at least), for methods that draw and --kept-light")
         ->check(CLI::Range(1u, kMostLightSamples))
         ->capture_default_str();
     command

@@ -8,6 +8,7 @@
 #include "interop/frame.h"
 #include "interop/glossy_map.h"
 #include "interop/light_mesh.h"
+#include "interop/light_sums.h"
 #include "interop/light_tree.h"
 #include "interop/lobe_albedo.h"
 #include "interop/radiance_bounds.h"
@@ -112,15 +113,26 @@ std::map<std::string, HostStruct> host_structs() {
          {sizeof(LightMeshSide),
           {AT(LightMeshSide, constant), AT(LightMeshSide, red_bounds), AT(LightMeshSide, along_b1),
            AT(LightMeshSide, green_bounds), AT(LightMeshSide, along_b2), AT(LightMeshSide, blue_bounds)}}},
-        {"LightMeshPoint", {sizeof(LightMeshPoint), {AT(LightMeshPoint, front), AT(LightMeshPoint, back)}}},
+        {"LightMeshPoint",
+         {sizeof(LightMeshPoint),
+          {AT(LightMeshPoint, front), AT(LightMeshPoint, back), AT(LightMeshPoint, lit),
+           AT(LightMeshPoint, dark)}}},
         {"LightMeshPlace",
          {sizeof(LightMeshPlace),
           {AT(LightMeshPlace, triangle), AT(LightMeshPlace, b1), AT(LightMeshPlace, b2),
-           AT(LightMeshPlace, known)}}},
+           AT(LightMeshPlace, known), AT(LightMeshPlace, lit), AT(LightMeshPlace, dark)}}},
         {"LightPush",
          {sizeof(LightPush),
           {AT(LightPush, first_point), AT(LightPush, end_point), AT(LightPush, samples), AT(LightPush, seed),
-           AT(LightPush, light_bounds), AT(LightPush, changed_boxes)}}},
+           AT(LightPush, light_bounds), AT(LightPush, plain_triangles), AT(LightPush, triangles),
+           AT(LightPush, changed_boxes)}}},
+        {"LightGroup", {sizeof(LightGroup), {AT(LightGroup, reference), AT(LightGroup, most_samples)}}},
+        {"SummedLight",
+         {sizeof(SummedLight),
+          {AT(SummedLight, middle), AT(SummedLight, size_squared), AT(SummedLight, area),
+           AT(SummedLight, group), AT(SummedLight, radiance), AT(SummedLight, is_double_sided),
+           AT(SummedLight, v0), AT(SummedLight, light), AT(SummedLight, v1), AT(SummedLight, first_piece),
+           AT(SummedLight, v2), AT(SummedLight, unused)}}},
         {"LightBounds",
          {sizeof(LightBounds), {AT(LightBounds, infinite), AT(LightBounds, lower), AT(LightBounds, upper)}}},
         {"ChangedBox", {sizeof(ChangedBox), {AT(ChangedBox, lower), AT(ChangedBox, upper)}}},
@@ -257,8 +269,8 @@ std::string layout_problem(const SpirvModule::Struct& device, const HostStruct& 
 
 /// Structs that kernels make of texels word by word, and how many words those take.
 const std::map<std::string, std::size_t> kReadAsTexels = {
-    {"BvhNode", 20},       {"BvhTriangle", 9},  {"LightMeshRoot", 4}, {"LightMeshSplit", 4},
-    {"LightMeshSide", 12}, {"LightCluster", 8}, {"LightTreeNode", 16}};
+    {"BvhNode", 20},       {"BvhTriangle", 9},  {"LightMeshRoot", 4},  {"LightMeshSplit", 4},
+    {"LightMeshSide", 12}, {"LightCluster", 8}, {"LightTreeNode", 16}, {"SummedLight", 24}};
 
 TEST(Interop, StructsReadAsTexelsAreWordAfterWord) {
     const auto hosts = host_structs();

@@ -56,6 +56,15 @@ struct MicrofacetAnswer {
     vec3 sampled_normal;
 };
 
+/// A triangle as seen from the origin, and the normals of the surface there.
+struct IrradianceQuery {
+    vec3 q0;
+    vec3 q1;
+    vec3 q2;
+    vec3 ng;
+    vec3 ns;
+};
+
 /// Sums `repeats` times a, then b, then c, by the film's compensated sum.
 struct FilmQuery {
     float a;

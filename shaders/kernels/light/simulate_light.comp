@@ -7,11 +7,9 @@
 #include "kernels/film/counters.glsl"
 #include "kernels/scene/direct_light.glsl"
 #include "lib/light_reach.glsl"
-#include "kernels/light/unshadowed_light.glsl"
+#include "kernels/light/light_shadows.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
-
-layout(push_constant, scalar) uniform Push { LightPush push; };
 
 layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_BOUNDS) readonly restrict buffer LightBoundsBuffer { LightBounds light_bounds[]; };
 layout(scalar, set = METHOD_SET, binding = BINDING_CHANGED_BOXES) readonly restrict buffer ChangedBoxes { ChangedBox changed_boxes[]; };
@@ -30,48 +28,31 @@ Surface white_surface(uint triangle, vec2 b, bool front) {
     return surface;
 }
 
-/// Samples after which a point in no shadow so far counts as lit for good, and one in full shadow as dark: a little light
-/// missed there shows more than a little shadow missed in full light.
-const uint LIT_AFTER_SAMPLES = 16u;
-const uint DARK_AFTER_SAMPLES = 32u;
+struct SideLight {
+    vec3 light;          ///< of a white surface, cd/m2
+    GroupStates states;
+};
 
-/// What a white surface sends out. Where the lights can be summed in closed form, samples only tell what share of that
-/// is not in shadow (Heitz, Hill and McGuire 2018): no noise where nothing or all is in shadow.
-vec3 simulate_light(Surface surface, uint side) {
-    if (LIGHT_COUNT == 0u) return vec3(0.0);
-    vec3 unshadowed = vec3(0.0);
-    if (SUMS_LIGHTS) {
-        unshadowed = unshadowed_irradiance(surface) / PI;
-        if (unshadowed == vec3(0.0)) return unshadowed;
-    }
+/// @param expected of its groups
+SideLight simulate_light(Surface surface, uint side, GroupStates expected) {
+    SideLight result = SideLight(vec3(0.0), GroupStates(0u, 0u));
+    if (LIGHT_COUNT == 0u) return result;
     // All points share their samples: what error these leave then changes smoothly over a surface, where samples of their
     // own would leave blotches.
     uint key = sampler_key(uvec2(0u, side), push.seed, 0u);
-    vec3 sampled = vec3(0.0);
-    vec3 visible = vec3(0.0);
-    uint rays = 0u;
-    uint lit = 0u;
-    uint s = 0u;
-    uint samples = push.samples;
-    for (; s < samples; ++s) {
-        bool is_lit = SUMS_LIGHTS && s == LIT_AFTER_SAMPLES && lit == rays && lit > 0u;
-        bool is_dark = s == DARK_AFTER_SAMPLES && lit == 0u && rays > 0u;
-        if (is_lit || is_dark) {
-            samples = s;
-            break;
+    Counters counters = Counters(0u, 0u, 0u, 0u, 0u, 0u);
+    if (SUMS_LIGHTS) {
+        result.light = shadowed_irradiance(surface, key, expected, result.states, counters) / PI;
+    } else {
+        uint s = 0u;
+        for (; s < push.samples; ++s) {
+            result.light += direct_light(surface, surface.ns, 1u << LOBE_DIFFUSE, key, s, 0u, NONE, counters.rays);
         }
-        Candidate taken = resample_lights(surface, surface.ns, 1u << LOBE_DIFFUSE, sample_2d(key, s, 0u), sample_2d(key, s, 1u));
-        if (taken.value == vec3(0.0)) continue;
-        sampled += taken.value;
-        ++rays;
-        if (!is_light_visible(surface, taken.light, NONE)) continue;
-        visible += taken.value;
-        ++lit;
+        result.light /= float(push.samples);
+        if (s < push.samples) counters.incomplete = 1u;
     }
-    // That samples are left cannot be, and is where the driver ended the loop: see film_main.glsl.
-    count(Counters(rays, 0u, 0u, 0u, 0u, s < samples ? 1u : 0u));
-    if (!SUMS_LIGHTS) return visible / float(s);
-    return mix(unshadowed * visible / sampled, vec3(0.0), equal(sampled, vec3(0.0)));
+    count(counters);
+    return result;
 }
 
 bool is_reached(vec3 position) {
@@ -88,7 +69,21 @@ void main() {
     if (point >= push.end_point) return;
     LightMeshPlace place = places[point];
     vec2 b = vec2(place.b1, place.b2);
-    Surface front = white_surface(place.triangle, b, true);
-    if (place.known == 1u && !is_reached(front.position)) return;
-    points[point] = LightMeshPoint(simulate_light(front, 0u), simulate_light(white_surface(place.triangle, b, false), 1u));
+    LightMeshPoint result = LightMeshPoint(vec3(0.0), vec3(0.0), 0u, 0u);
+    // A loop, so that drivers compile one copy of all that is in it.
+    for (uint side = 0u; side < 2u; ++side) {
+        Surface surface = white_surface(place.triangle, b, side == 0u);
+        if (place.known == 1u && !is_reached(surface.position)) return;
+        uint shift = side * MOST_LIGHT_GROUPS;
+        GroupStates expected = GroupStates(place.lit >> shift & ALL_LIGHT_GROUPS, place.dark >> shift & ALL_LIGHT_GROUPS);
+        SideLight found = simulate_light(surface, side, expected);
+        if (side == 0u) {
+            result.front = found.light;
+        } else {
+            result.back = found.light;
+        }
+        result.lit |= found.states.lit << shift;
+        result.dark |= found.states.dark << shift;
+    }
+    points[point] = result;
 }

@@ -5,74 +5,16 @@
 
 #include "interop/light_pieces.h"
 #include "kernels/scene/lights.glsl"
+#include "lib/triangle_irradiance.glsl"
 
-layout(scalar, set = METHOD_SET, binding = BINDING_FIRST_LIGHT_PIECES) readonly restrict buffer FirstLightPieces {
-    uint first_light_pieces[];  ///< of each light, or NONE
-};
 layout(scalar, set = METHOD_SET, binding = BINDING_LIGHT_PIECES) readonly restrict buffer LightPieces {
     vec3 light_pieces[];
 };
 
-/// Twice the part of Lambert's contour integral (1760) along the great circle from unit vector a to b.
-float contour_part(vec3 a, vec3 b, vec3 n) {
-    vec3 across = cross(a, b);
-    float sine = length(across);
-    return sine > 0.0 ? angle_of(sine, dot(a, b)) * dot(across, n) / sine : 0.0;
-}
-
-/// Where the great circle from a above the horizon to b below it meets the horizon.
-vec3 horizon_point(vec3 a, vec3 b, vec3 n) {
-    return normalize_any_scale(a * -dot(b, n) + b * dot(a, n));
-}
-
-/// Pieces are no larger than this share of their distance, as long as there are smaller ones. Such a piece acts as a point: what
-/// it brings is off by the square of the share, and a piece that is dark on one side by some times the share, which is a small
-/// part of what all bring.
-const float LARGEST_PIECE = 0.125;
-
-/// A triangle as seen from a point, cut by the horizons of both normals: unit directions to its corners.
-struct SeenPolygon {
-    vec3 corners[6];  ///< a cut adds one, and where rounding decides on which side corners are, one more
-    uint count;
-};
-
-/// What of a polygon is above the horizon of n (Sutherland and Hodgman 1974).
-SeenPolygon above_horizon(SeenPolygon polygon, vec3 n) {
-    SeenPolygon above;
-    above.count = 0u;
-    for (uint i = 0u; i < polygon.count; ++i) {
-        vec3 a = polygon.corners[i];
-        vec3 b = polygon.corners[i + 1u < polygon.count ? i + 1u : 0u];
-        bool a_above = dot(a, n) > 0.0;
-        bool b_above = dot(b, n) > 0.0;
-        if (a_above) above.corners[above.count++] = a;
-        if (a_above && !b_above) above.corners[above.count++] = horizon_point(a, b, n);
-        if (!a_above && b_above) above.corners[above.count++] = horizon_point(b, a, n);
-    }
-    return above;
-}
-
-/// Irradiance at a surface from a triangle of radiance 1, of which only what is above both its normals' horizons shines.
-float triangle_irradiance(BvhTriangle vertices, Surface surface) {
-    SeenPolygon seen;
-    seen.corners[0] = normalize_any_scale(vertices.v0 - surface.position);
-    seen.corners[1] = normalize_any_scale(vertices.v1 - surface.position);
-    seen.corners[2] = normalize_any_scale(vertices.v2 - surface.position);
-    seen.count = 3u;
-    seen = above_horizon(seen, surface.ns);
-    if (surface.ng != surface.ns) seen = above_horizon(seen, surface.ng);
-    float sum = 0.0;
-    for (uint i = 0u; i < seen.count; ++i) {
-        sum += contour_part(seen.corners[i], seen.corners[i + 1u < seen.count ? i + 1u : 0u], surface.ns);
-    }
-    return 0.5 * abs(sum);
-}
-
-/// Irradiance from surroundings of radiance 1: the horizon of ng cuts off a part of the hemisphere of ns, which is half an
-/// ellipse when projected on the plane of ns.
-float environment_irradiance(Surface surface) {
-    return 0.5 * PI * (1.0 + dot(surface.ng, surface.ns));
-}
+/// A light, or a piece of one, that is no larger than this share of its distance acts as a point: of what it brings, the mean
+/// over it and what its middle brings differ by less than a quarter of the square of the share. Where it straddles a horizon, or
+/// a piece is dark on one side, they differ by some times the share, which is a small part of what all bring.
+const float LARGEST_POINT = 0.125;
 
 /// Irradiance from a small surface of radiance 1.
 /// @param area its vector area
@@ -82,60 +24,74 @@ float point_irradiance(vec3 middle, vec3 area, Surface surface) {
     return is_above(surface, wi) ? abs(dot(area, wi)) * dot(surface.ns, wi) / dot(way, way) : 0.0;
 }
 
+float triangle_irradiance(BvhTriangle vertices, Surface surface) {
+    return triangle_irradiance(vertices.v0 - surface.position, vertices.v1 - surface.position, vertices.v2 - surface.position,
+                               surface.ng, surface.ns);
+}
+
+/// Irradiance from surroundings of radiance 1: the horizon of ng cuts off a part of the hemisphere of ns, which is half an
+/// ellipse when projected on the plane of ns.
+float environment_irradiance(Surface surface) {
+    return 0.5 * PI * (1.0 + dot(surface.ng, surface.ns));
+}
+
+/// The pieces of a level of a textured triangle, as they follow each other: interop/light_pieces.h.
+struct LightPiece {
+    uint j;
+    uint k;
+};
+
+LightPiece next_piece(LightPiece piece, uint n) {
+    bool ends_row = piece.k + 2u == 2u * (n - piece.j);
+    return LightPiece(piece.j + uint(ends_row), ends_row ? 0u : piece.k + 1u);
+}
+
+/// @param n pieces along an edge
+BvhTriangle piece_triangle(LightPiece piece, uint n, vec3 origin, vec3 across, vec3 up) {
+    float turned = float(piece.k & 1u);
+    vec3 a = origin + ((float(piece.k / 2u) + turned) * across + (float(piece.j) + turned) * up) / float(n);
+    float step = (1.0 - 2.0 * turned) / float(n);
+    return BvhTriangle(a, a + step * across, a + step * up);
+}
+
 /// Irradiance from a textured triangle, by pieces with the mean radiance of each, as small as their distance asks for.
-vec3 piecewise_irradiance(BvhTriangle vertices, uint first, Surface surface) {
+/// @param first of the pieces
+/// @param shines whether it brings anything
+vec3 piecewise_irradiance(BvhTriangle vertices, uint first, bool shines, Surface surface) {
     vec3 across = vertices.v1 - vertices.v0;
     vec3 up = vertices.v2 - vertices.v0;
     float size = sqrt(max(dot(across, across), max(dot(up, up), dot(up - across, up - across))));
     // No point of the triangle is farther from its middle than two thirds of its longest edge.
     float distance = length(vertices.v0 + (across + up) / 3.0 - surface.position) - 0.667 * size;
     uint level = 0u;
-    while (level + 1u < LIGHT_PIECE_LEVELS && ldexp(size, -int(level)) > LARGEST_PIECE * distance) {
+    while (level + 1u < LIGHT_PIECE_LEVELS && ldexp(size, -int(level)) > LARGEST_POINT * distance) {
         first += 1u << (2u * level);
         ++level;
     }
-    bool is_far = ldexp(size, -int(level)) <= LARGEST_PIECE * distance;
+    bool is_far = ldexp(size, -int(level)) <= LARGEST_POINT * distance;
     uint n = 1u << level;
+    uint count = shines ? n * n : 0u;
+    vec3 area = 0.5 * cross(across, up) / float(n * n);
     vec3 sum = vec3(0.0);
-    for (uint j = 0u; j < n; ++j) {
-        for (uint k = 0u; k < 2u * (n - j) - 1u; ++k) {
-            vec3 radiance = light_pieces[first++];
-            if (radiance == vec3(0.0)) continue;
-            float i = float(k / 2u);
-            float turned = float(k & 1u);
-            vec3 a = vertices.v0 + ((i + turned) * across + (float(j) + turned) * up) / float(n);
-            vec3 step = (1.0 - 2.0 * turned) * across / float(n);
-            vec3 rise = (1.0 - 2.0 * turned) * up / float(n);
-            sum += radiance * (is_far ? point_irradiance(a + (step + rise) / 3.0, 0.5 * cross(step, rise), surface)
-                                      : triangle_irradiance(BvhTriangle(a, a + step, a + rise), surface));
-        }
+    // A loop for each, so that points do not pay for what triangles cost.
+    LightPiece piece = LightPiece(0u, 0u);
+    for (uint i = 0u; i < (is_far ? count : 0u); ++i, piece = next_piece(piece, n)) {
+        BvhTriangle part = piece_triangle(piece, n, vertices.v0, across, up);
+        sum += light_pieces[first + i] * point_irradiance((part.v0 + part.v1 + part.v2) / 3.0, area, surface);
+    }
+    piece = LightPiece(0u, 0u);
+    for (uint i = 0u; i < (is_far ? 0u : count); ++i, piece = next_piece(piece, n)) {
+        sum += light_pieces[first + i] * triangle_irradiance(piece_triangle(piece, n, vertices.v0, across, up), surface);
     }
     return sum;
 }
 
-/// What one light brings to a surface, in lux.
-vec3 unshadowed_irradiance(uint index, Surface surface) {
+/// What a light that is no triangle brings to a surface, lux.
+vec3 other_irradiance(uint index, Surface surface) {
     LightInfo light = lights[index];
-    if (HAS_TRIANGLE_LIGHTS && light.type == LIGHT_TRIANGLE) {
-        BvhTriangle vertices = bvh_triangle(light.triangle);
-        bool front = dot(triangle_cross(vertices), surface.position - vertices.v0) > 0.0;
-        if (HAS_TEXTURES && first_light_pieces[index] != NONE) {
-            if (!front && materials[triangle_infos[light.triangle].material].double_sided == 0u) return vec3(0.0);
-            return piecewise_irradiance(vertices, first_light_pieces[index], surface);
-        }
-        vec3 radiance = emitted_radiance(materials[triangle_infos[light.triangle].material], vec2(0.0), front);
-        return radiance == vec3(0.0) ? radiance : radiance * triangle_irradiance(vertices, surface);
-    }
     if (HAS_ENVIRONMENT && light.type == LIGHT_ENVIRONMENT) return environment_irradiance(surface) * light.intensity;
     LightSample s = sample_punctual_light(light, 1.0, surface);
-    if (!is_above(surface, s.direction)) return vec3(0.0);
-    return s.irradiance * dot(surface.ns, s.direction);
-}
-
-vec3 unshadowed_irradiance(Surface surface) {
-    vec3 sum = vec3(0.0);
-    for (uint i = 0u; i < light_count(); ++i) sum += unshadowed_irradiance(i, surface);
-    return sum;
+    return is_above(surface, s.direction) ? s.irradiance * dot(surface.ns, s.direction) : vec3(0.0);
 }
 
 #endif

@@ -48,7 +48,7 @@ Candidate make_candidate(Surface surface, vec3 wo, uint lobes, LightChoice chose
 }
 
 /// Resampled importance sampling (Talbot, Cline and Egbert 2005): of a few candidates, stratified over the lights, one is
-/// taken by its unshadowed value. Where samples tell shadows alone, those of all lights are asked for evenly.
+/// taken by its unshadowed value.
 /// @returns with a value that is divided by the chance of this one; zero if no candidate brings anything
 Candidate resample_lights(Surface surface, vec3 wo, uint lobes, vec2 choice, vec2 u) {
     uint count = min(LIGHT_COUNT, MOST_CANDIDATES);
@@ -57,8 +57,7 @@ Candidate resample_lights(Surface surface, vec3 wo, uint lobes, vec2 choice, vec
     for (uint i = 0u; i < count; ++i) {
         // Shifted by a sequence that fills the square evenly (Roberts 2018); each candidate's u stays uniform.
         vec2 shifted = fract(u + float(i) * vec2(0.754877666, 0.569840291));
-        float chosen_by = (float(i) + choice.x) / float(count);
-        LightChoice chosen = SUMS_LIGHTS ? choose_evenly(chosen_by) : choose_light(receiver_of(surface), chosen_by);
+        LightChoice chosen = choose_light(receiver_of(surface), (float(i) + choice.x) / float(count));
         Candidate candidate = make_candidate(surface, wo, lobes, chosen, shifted);
         if (takes(reservoir, candidate.value.x + candidate.value.y + candidate.value.z)) taken = candidate;
     }

@@ -34,10 +34,10 @@ float first_probability(LightTreeNode node, Receiver receiver) {
     return first + second > 0.0 ? first / (first + second) : -1.0;
 }
 
-/// @param probability that the tree is walked
-/// @param u is used up
-LightChoice choose_in_tree(Receiver receiver, float probability, float u) {
-    uint child = 0u;
+/// @param child a light or a node of the tree, as LightCluster::child refers to it
+/// @param probability that it is chosen
+/// @param u is stretched: what is left of it is uniform again
+LightChoice choose_in_tree(Receiver receiver, uint child, float probability, inout float u) {
     while ((child & LIGHT_CLUSTER_LEAF) == 0u) {
         LightTreeNode node = light_tree_node(child & LIGHT_CLUSTER_INDEX);
         float first = first_probability(node, receiver);
@@ -62,13 +62,8 @@ LightChoice choose_light(Receiver receiver, float u) {
         rest -= probability;
     }
     float probability = INFINITE_LIGHTS > 0u ? lights[INFINITE_LIGHTS].probability : 1.0;
-    return choose_in_tree(receiver, probability, min(u / rest, ONE_BELOW_1));
-}
-
-/// One of all lights, each as probable as any other.
-LightChoice choose_evenly(float u) {
-    uint count = light_count();
-    return LightChoice(min(uint(u * float(count)), count - 1u), 1.0 / float(count));
+    u = min(u / rest, ONE_BELOW_1);
+    return choose_in_tree(receiver, 0u, probability, u);
 }
 
 /// The probability with which choose_light() takes a light for a point.

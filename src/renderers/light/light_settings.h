@@ -9,7 +9,8 @@ namespace utsuri {
 struct LightSettings {
     /// Distance of neighbouring points, at most, as a share of the diagonal of the scene's bounds, > 0.
     double spacing = 1.0 / 24.0;
-    /// Per point and side, in [1, kMostLightSamples]; fewer where the first ones agree.
+    /// Per point and side, in [1, kMostLightSamples], but one for each lamp at least; fewer where the first
+    /// ones agree.
     std::uint32_t samples = 64;
     std::uint32_t seed = 0;
     /// Points simulated by one dispatch, at most, >= 1: it takes no longer than drivers allow in any case.

@@ -56,7 +56,7 @@ Made make(const Scene& scene, const MeshSettings& settings, const Light& light) 
             const Corners corners = corners_of(made.data, place.triangle);
             const glm::dvec3 at = corners[0] + static_cast<double>(place.b1) * (corners[1] - corners[0]) +
                                   static_cast<double>(place.b2) * (corners[2] - corners[0]);
-            told.push_back({glm::vec3(light(made.data.origin + at)), glm::vec3(0.0f)});
+            told.push_back({glm::vec3(light(made.data.origin + at)), glm::vec3(0.0f), 0, 0});
         }
         made.asked += told.size();
         mesher.tell(told);
@@ -95,6 +95,36 @@ TEST(LightMesher, KeepsPointsWithinTheCoarsestDistanceAndNoDenserWhereLightIsEve
         EXPECT_LE(longest_edge(leaf.corners), 0.5 * (1.0 + 1e-6));
         EXPECT_GT(longest_edge(leaf.corners), 0.25);
     }
+}
+
+// Between two places on one side of a straight line all places are on that side.
+TEST(LightMesher, ExpectsWhatBothEndsOfAnEdgeAgreeOn) {
+    const SceneData data = prepare_scene_data(floor_of(2.0f));
+    LightMesher mesher(data, kSettings);
+    int lit = 0;
+    int dark = 0;
+    int unsure = 0;
+    for (bool is_first = true; !mesher.wanted().empty(); is_first = false) {
+        std::vector<interop::LightMeshPoint> told;
+        for (const interop::LightMeshPlace& place : mesher.wanted()) {
+            const Corners corners = corners_of(data, place.triangle);
+            const glm::dvec3 at = corners[0] + static_cast<double>(place.b1) * (corners[1] - corners[0]) +
+                                  static_cast<double>(place.b2) * (corners[2] - corners[0]);
+            const float light = half_lit(data.origin + at);
+            const std::uint32_t bit = light > 0.0f ? 1 : 0;
+            told.push_back({glm::vec3(light), glm::vec3(0.0f), bit, 1 - bit});
+            EXPECT_LE(place.lit, bit);
+            EXPECT_LE(place.dark, 1 - bit);
+            EXPECT_TRUE(!is_first || (place.lit | place.dark) == 0u);
+            lit += static_cast<int>(place.lit);
+            dark += static_cast<int>(place.dark);
+            if (place.lit + place.dark == 0) ++unsure;
+        }
+        mesher.tell(told);
+    }
+    EXPECT_GT(lit, 20);
+    EXPECT_GT(dark, 20);
+    EXPECT_GT(unsure, 20);
 }
 
 TEST(LightMesher, RefinesWhereLightEndsAndNowhereElse) {

@@ -123,7 +123,7 @@ Lit lit_floor(const Mesh& floor, const Mesh& wall) {
             const Corners c = corners_of(lit.data, place.triangle);
             const glm::dvec3 at = c[0] + static_cast<double>(place.b1) * (c[1] - c[0]) +
                                   static_cast<double>(place.b2) * (c[2] - c[0]);
-            told.push_back({glm::vec3(at.x < 0.3 * at.z ? 1.0f : 0.0f), glm::vec3(0.0f)});
+            told.push_back({glm::vec3(at.x < 0.3 * at.z ? 1.0f : 0.0f), glm::vec3(0.0f), 0, 0});
         }
         mesher.tell(told);
     }

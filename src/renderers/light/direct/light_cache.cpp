@@ -40,14 +40,17 @@ class KnownLight {
         std::size_t operator()(const interop::LightMeshPlace& place) const {
             // Odd factors spread the bits (Knuth's multiplicative hashing).
             std::uint64_t hash = place.triangle;
-            for (const float b : {place.b1, place.b2})
-                hash = (hash ^ std::bit_cast<std::uint32_t>(b)) * 0x9e3779b97f4a7c15u;
+            for (const std::uint32_t word : {std::bit_cast<std::uint32_t>(place.b1),
+                                             std::bit_cast<std::uint32_t>(place.b2), place.lit, place.dark})
+                hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
             return static_cast<std::size_t>(hash ^ (hash >> 32));
         }
     };
     struct Same {
         bool operator()(const interop::LightMeshPlace& a, const interop::LightMeshPlace& b) const {
-            return a.triangle == b.triangle && a.b1 == b.b1 && a.b2 == b.b2;
+            // What is expected decides how many samples are taken.
+            return a.triangle == b.triangle && a.b1 == b.b1 && a.b2 == b.b2 && a.lit == b.lit &&
+                   a.dark == b.dark;
         }
     };
     std::unordered_map<interop::LightMeshPlace, interop::LightMeshPoint, Hash, Same> by_place_;

@@ -2,6 +2,7 @@
 #include "renderers/light/direct/light_simulation.h"
 
 #include "renderers/light/direct/light_reach.h"
+#include "renderers/light/direct/place_order.h"
 
 #include "base/stopwatch.h"
 
@@ -21,23 +22,26 @@ constexpr std::uint64_t kMostPointsPerDispatch = std::uint64_t{kMaxGroups} * int
 /// their rays: half of what makes drivers reset a device.
 constexpr double kLongestDispatch = 1.0;
 
-/// Summing more lights than this at every point would cost more than sampling them.
-constexpr std::size_t kMostSummedLights = 64;
-
-bool sums_lights(const SceneData& data) {
-    return data.lights.size() <= kMostSummedLights;
-}
-
 Specialization with_sums(Specialization specialization, const SceneData& data) {
     specialization[interop::SPEC_SUMS_LIGHTS] = sums_lights(data) ? 1 : 0;
     return specialization;
 }
 
+/// Rays from one side of a point, at most.
+std::uint64_t most_rays_of_a_side(const SummedLights& summed, std::uint32_t samples) {
+    if (summed.groups.empty()) return samples;
+    std::uint64_t rays = 0;
+    for (const interop::LightGroup& group : summed.groups)
+        rays += std::min(group.most_samples, samples);
+    // What lamps have no share of takes one each.
+    return std::min<std::uint64_t>(rays, samples + summed.groups.size());
+}
+
 /// How many points may be simulated in some seconds, each with all its rays, if rays take as long as those
 /// counted.
-double points_within(double seconds, const FrameCounts& counted, std::uint32_t samples) {
+double points_within(double seconds, const FrameCounts& counted, std::uint64_t rays_of_a_side) {
     const double rays = seconds * static_cast<double>(counted.rays) / std::max(counted.gpu_seconds, 1e-9);
-    return std::clamp(rays / static_cast<double>(kSides * samples), 1.0,
+    return std::clamp(rays / static_cast<double>(kSides * rays_of_a_side), 1.0,
                       static_cast<double>(kMostPointsPerDispatch));
 }
 
@@ -50,8 +54,11 @@ LightSimulation::LightSimulation(Device& device, const SceneData& data, const Gp
       settings_(settings),
       bounds_(bounds_of_lights(data)),
       pieces_(sums_lights(data) ? find_light_pieces(data) : LightPieces()),
-      first_pieces_(make_buffer<std::uint32_t>(device, pieces_.first, "first pieces of lights")),
+      summed_(sums_lights(data) ? list_summed_lights(data, pieces_) : SummedLights()),
       piece_radiance_(make_buffer<glm::vec3>(device, pieces_.radiance, "pieces of lights")),
+      summed_lights_(
+          make_buffer<interop::SummedLight>(device, summed_.lights, "summed lights", BindingKind::texels)),
+      light_groups_(make_buffer<interop::LightGroup>(device, summed_.groups, "groups of lights")),
       light_bounds_(make_buffer<interop::LightBounds>(device, bounds_, "bounds of lights")),
       changed_boxes_(make_buffer<interop::ChangedBox>(device, changed, "boxes of what changed")),
       counters_(device, "light counters"),
@@ -61,11 +68,14 @@ LightSimulation::LightSimulation(Device& device, const SceneData& data, const Gp
       most_points_(static_cast<double>(kMostPointsPerDispatch)) {
     bindings_[interop::BINDING_COUNTERS] = &counters_.buffer();
     bindings_[interop::BINDING_LIGHT_BOUNDS] = &light_bounds_;
-    bindings_[interop::BINDING_FIRST_LIGHT_PIECES] = &first_pieces_;
     bindings_[interop::BINDING_LIGHT_PIECES] = &piece_radiance_;
+    bindings_[interop::BINDING_SUMMED_LIGHTS] = &summed_lights_;
+    bindings_[interop::BINDING_LIGHT_GROUPS] = &light_groups_;
     bindings_[interop::BINDING_CHANGED_BOXES] = &changed_boxes_;
     push_.samples = settings.samples;
     push_.seed = settings.seed;
+    push_.plain_triangles = summed_.plain_triangles;
+    push_.triangles = summed_.triangles;
     push_.light_bounds = static_cast<std::uint32_t>(bounds_.size());
     push_.changed_boxes = static_cast<std::uint32_t>(changed.size());
 }
@@ -74,8 +84,16 @@ void LightSimulation::simulate(std::span<const interop::LightMeshPlace> places,
                                std::span<interop::LightMeshPoint> light, Progress& progress) {
     if (places.empty()) return;
     const Stopwatch stopwatch;
-    const Buffer places_buffer = make_buffer<interop::LightMeshPlace>(device_, places, "places of light");
-    Buffer light_buffer = make_buffer<interop::LightMeshPoint>(device_, light, "light at places");
+    const std::vector<std::uint32_t> order = order_by_place(places);
+    std::vector<interop::LightMeshPlace> ordered_places;
+    std::vector<interop::LightMeshPoint> ordered_light;
+    for (const std::uint32_t i : order) {
+        ordered_places.push_back(places[i]);
+        ordered_light.push_back(light[i]);
+    }
+    const Buffer places_buffer =
+        make_buffer<interop::LightMeshPlace>(device_, ordered_places, "places of light");
+    Buffer light_buffer = make_buffer<interop::LightMeshPoint>(device_, ordered_light, "light at places");
     Bindings bindings = bindings_;
     bindings[interop::BINDING_LIGHT_PLACES] = &places_buffer;
     bindings[interop::BINDING_LIGHT_MESH_POINTS] = &light_buffer;
@@ -97,13 +115,16 @@ void LightSimulation::simulate(std::span<const interop::LightMeshPlace> places,
         // Points that keep their light, or get none, tell nothing about those after them.
         if (counts.rays >= end - first) {
             budget_.record(end - first, counts.gpu_seconds);
-            most_points_ = points_within(kLongestDispatch, counts, settings_.samples);
+            most_points_ =
+                points_within(kLongestDispatch, counts, most_rays_of_a_side(summed_, settings_.samples));
         }
         accumulate(cost_.counts, counts);
         progress.update(static_cast<double>(done_ + end), static_cast<double>(done_ + places.size()));
     }
     done_ += end;
-    light_buffer.download(std::as_writable_bytes(light));
+    light_buffer.download(std::as_writable_bytes(std::span(ordered_light)));
+    for (std::size_t i = 0; i < order.size(); ++i)
+        light[order[i]] = ordered_light[i];
     cost_.seconds += simulation.seconds();
 }
 

@@ -3,6 +3,7 @@
 
 #include "renderers/film/device_counters.h"
 #include "renderers/light/direct/light_pieces.h"
+#include "renderers/light/direct/summed_lights.h"
 #include "renderers/light/light_settings.h"
 #include "renderers/light/surface_light.h"
 #include "renderers/scene/gpu_scene.h"
@@ -42,8 +43,10 @@ class LightSimulation {
     const LightSettings& settings_;
     std::vector<interop::LightBounds> bounds_;
     LightPieces pieces_;
-    Buffer first_pieces_;
+    SummedLights summed_;
     Buffer piece_radiance_;
+    Buffer summed_lights_;
+    Buffer light_groups_;
     Buffer light_bounds_;
     Buffer changed_boxes_;
     DeviceCounters counters_;

@@ -86,6 +86,16 @@ void LightMesher::tell(std::span<const interop::LightMeshPoint> light) {
     if (!mean_) mean_ = power_of_two_below(mean_light());
     while (wanted().empty() && !tests_.empty())
         refine();
+    expect();
+}
+
+void LightMesher::expect() {
+    for (std::size_t point = light_.size(); point < mesh_.places().size(); ++point) {
+        const auto [a, b] = mesh_.ends(static_cast<std::uint32_t>(point));
+        if (std::max(a, b) >= light_.size()) continue;  // NONE, too
+        mesh_.expect(static_cast<std::uint32_t>(point), light_[a].lit & light_[b].lit,
+                     light_[a].dark & light_[b].dark);
+    }
 }
 
 void LightMesher::make_tests() {

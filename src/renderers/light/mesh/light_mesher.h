@@ -56,6 +56,8 @@ class LightMesher {
     };
     void make_tests();
     void refine();
+    /// Tells wanted places what the ends of their edges agree on.
+    void expect();
     [[nodiscard]] double disagreement(const Test& test) const;
     [[nodiscard]] double mean_light() const;
 

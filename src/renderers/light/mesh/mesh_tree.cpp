@@ -91,7 +91,8 @@ bool MeshTree::can_split(std::uint32_t leaf) const {
 }
 
 std::uint32_t MeshTree::add_point(std::uint32_t triangle, const glm::dvec2& place) {
-    places_.push_back({triangle, static_cast<float>(place.x), static_cast<float>(place.y), 0});
+    places_.push_back({triangle, static_cast<float>(place.x), static_cast<float>(place.y), 0, 0, 0});
+    ends_.push_back({interop::NONE, interop::NONE});
     return static_cast<std::uint32_t>(places_.size() - 1);
 }
 
@@ -132,8 +133,10 @@ std::uint32_t MeshTree::midpoint(std::uint32_t leaf, std::uint32_t edge) {
     const std::uint32_t b = divided.points[next];
     if (a == interop::NONE || b == interop::NONE) return interop::NONE;
     Edge& known = edges_[edge_key(a, b)];
-    if (known.midpoint == interop::NONE)
+    if (known.midpoint == interop::NONE) {
         known.midpoint = add_point(divided.triangle, 0.5 * (divided.places[edge] + divided.places[next]));
+        ends_[known.midpoint] = {a, b};
+    }
     return known.midpoint;
 }
 

@@ -41,6 +41,14 @@ class MeshTree {
 
     [[nodiscard]] const std::vector<MeshNode>& nodes() const { return nodes_; }
     [[nodiscard]] const std::vector<interop::LightMeshPlace>& places() const { return places_; }
+    /// Between which points a point was made, by midpoint(); else NONE.
+    using Ends = std::array<std::uint32_t, 2>;
+    [[nodiscard]] const Ends& ends(std::uint32_t point) const { return ends_[point]; }
+    /// Groups of lights that are taken for lit or dark at a point: LightMeshPlace.
+    void expect(std::uint32_t point, std::uint32_t lit, std::uint32_t dark) {
+        places_[point].lit = lit;
+        places_[point].dark = dark;
+    }
     /// Leaves with an edge longer than the finest, and those made of them.
     [[nodiscard]] const std::vector<MeshLeaf>& leaves() const { return leaves_; }
     [[nodiscard]] double edge_length(const MeshLeaf& leaf, std::uint32_t edge) const;
@@ -94,6 +102,7 @@ class MeshTree {
     std::uint64_t most_points_;
     std::vector<MeshNode> nodes_;
     std::vector<interop::LightMeshPlace> places_;
+    std::vector<Ends> ends_;
     std::vector<MeshLeaf> leaves_;
     std::unordered_map<std::uint64_t, Edge> edges_;
     std::vector<std::uint32_t> unclosed_;  ///< leaves that may have a split edge

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light kept under several lamps: each is summed in closed form, and the shadow of one is no matter of the
+// others.
+#include "support/light_scenes.h"
+#include "support/methods.h"
+#include "support/test_device.h"
+
+#include "filled_light.h"
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+namespace utsuri::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// As far as devices' square roots and quotients are exact: see light_cache_test.cpp.
+constexpr double kTrigonometry = 1e-4;
+
+/// What acts as a point is no larger than 1/8 of its distance: (1/8)^2 / 4, see unshadowed_light.glsl.
+constexpr double kActsAsPoint = 1.0 / 256.0;
+
+std::vector<glm::dvec3> square(const glm::dvec3& centre, double half) {
+    return {centre + glm::dvec3(-half, 0, -half), centre + glm::dvec3(half, 0, -half),
+            centre + glm::dvec3(half, 0, half), centre + glm::dvec3(-half, 0, half)};
+}
+
+class LampShadows : public DeviceTest {
+  protected:
+    /// Holds light on the ground, the first instance at y = 0, against what is expected at each place.
+    static void expect_on_ground(const Scene& scene, std::uint32_t samples, double tolerance,
+                                 const std::function<double(const glm::dvec3&)>& expected) {
+        const Filled filled = fill(device(), scene, evenly_kept(0.04, samples, 3));
+        int count = 0;
+        for_each_point(filled,
+                       [&](std::size_t t, const glm::dvec3& position, const interop::LightMeshPoint& point) {
+                           if (filled.data.triangle_infos[t].instance != 0) return;
+                           const double there = expected(position);
+                           EXPECT_NEAR(static_cast<double>(point.front.x), there, tolerance * there)
+                               << position.x << ' ' << position.z;
+                           ++count;
+                       });
+        EXPECT_GT(count, 500);
+    }
+};
+
+// Beside a lamp a thousand times as bright that is shut in a box, no ray tells anything of the lamp that is
+// not in shadow: it lights by Lambert's formula.
+TEST_F(LampShadows, AHiddenLampIsNoMatterOfOthers) {
+    Scene scene;
+    add(scene, ground(1.0f), lambert(glm::vec3(0.5f)));
+    add(scene, ceiling({0, 1, 0}, 0.5f), emitter(glm::vec3(1.0f)));
+    add(scene, ceiling({4, 1, 0}, 0.5f), emitter(glm::vec3(1000.0f)));
+    add(scene, block({3.4f, 0.5f, -0.6f}, {4.6f, 1.5f, 0.6f}), lambert(glm::vec3(0.5f)));
+    const std::vector<glm::dvec3> panel = square({0, 1, 0}, 0.5);
+    expect_on_ground(scene, 64, kTrigonometry, [&](const glm::dvec3& position) {
+        return std::abs(polygon_irradiance(panel, position, {0, 1, 0})) / kPi;
+    });
+}
+
+// A bulb of 1,280 triangles, of which each point sees half: near ones by Lambert's formula, far ones as
+// points, none by chance.
+TEST_F(LampShadows, ABulbOfManyTrianglesLightsWithoutNoise) {
+    Scene scene;
+    add(scene, ground(1.0f), lambert(glm::vec3(0.5f)));
+    const Mesh bulb = icosphere({0, 0.4f, 0}, 0.2f, 3);
+    add(scene, bulb, emitter(glm::vec3(1.0f)));
+    expect_on_ground(scene, 64, kActsAsPoint, [&](const glm::dvec3& position) {
+        double sum = 0.0;
+        for (const glm::uvec3& triangle : bulb.triangles) {
+            const std::array<glm::dvec3, 3> corners = {bulb.positions[triangle.x], bulb.positions[triangle.y],
+                                                       bulb.positions[triangle.z]};
+            const glm::dvec3 out = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+            if (glm::dot(out, position - corners[0]) > 0.0)
+                sum += std::abs(polygon_irradiance(corners, position, {0, 1, 0}));
+        }
+        return sum / kPi;
+    });
+}
+
+// More triangles than are summed: by samples alone. A sample's relative variance is below 1, so that four
+// standard errors of 256 samples are a quarter.
+TEST_F(LampShadows, TooManyTrianglesToSum) {
+    Scene scene;
+    add(scene, ground(1.0f), lambert(glm::vec3(0.5f)));
+    Mesh panel;
+    constexpr int kEdge = 48;
+    for (int i = 0; i < kEdge * kEdge; ++i) {
+        const float half = 0.5f / kEdge;
+        const glm::vec3 centre(-0.5f + half * static_cast<float>(2 * (i % kEdge) + 1), 1.0f,
+                               -0.5f + half * static_cast<float>(2 * (i / kEdge) + 1));
+        const Mesh part = ceiling(centre, half);
+        const auto first = static_cast<std::uint32_t>(panel.positions.size());
+        for (const glm::uvec3& triangle : part.triangles)
+            panel.triangles.push_back(triangle + first);
+        panel.positions.insert(panel.positions.end(), part.positions.begin(), part.positions.end());
+        panel.normals.insert(panel.normals.end(), part.normals.begin(), part.normals.end());
+        panel.texcoords.insert(panel.texcoords.end(), part.texcoords.begin(), part.texcoords.end());
+    }
+    add(scene, panel, emitter(glm::vec3(1.0f)));
+    const std::vector<glm::dvec3> whole = square({0, 1, 0}, 0.5);
+    expect_on_ground(scene, 256, 4.0 / 16.0, [&](const glm::dvec3& position) {
+        return std::abs(polygon_irradiance(whole, position, {0, 1, 0})) / kPi;
+    });
+}
+
+}  // namespace
+}  // namespace utsuri::test
