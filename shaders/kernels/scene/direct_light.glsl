@@ -23,8 +23,9 @@ bool is_light_visible(Surface surface, LightSample s, uint excluded_instance) {
     return !is_occluded(ray);
 }
 
-/// Light samples weighed against each other before the shadow ray; none to weigh in a scene with one light.
-const uint MOST_CANDIDATES = 4u;
+/// Light samples weighed against each other before the shadow ray; none to weigh in a scene with one light. Four take a fifth
+/// longer and are no less wrong for the time: benchmarks/README.md.
+const uint MOST_CANDIDATES = 2u;
 
 /// One light sample, as if no other could have been taken, and what it brings without regard to shadows.
 struct Candidate {
