@@ -99,8 +99,8 @@ std::string describe(const InfoOptions& options, const LoadedScene& loaded, cons
         row("", loaded.scene.instances[instance].name);
     }
     row("specular chain depth", depth_text(needs.max_depth));
-    text +=
-        fmt::format("memory predicted at {}, maps of {}\n", options.picture.size, options.picture.map_size);
+    text += fmt::format("memory predicted at {}, maps of {}\n", options.picture.size,
+                        options.picture.map_size.value_or(fmt::format("{}", MapSettings().size)));
     row("scene", format_bytes(memory.scene));
     row("film", format_bytes(memory.film));
     row("light on surfaces", fmt::format("{}, up to {} where it changes", format_bytes(memory.light.least),
@@ -180,10 +180,11 @@ void add_info_command(CLI::App& app, Action& action) {
         ->type_name("WxH")
         ->capture_default_str();
     command
-        ->add_option("--map-size", options->picture.map_size,
-                     "Texels along an edge of a map, for the memory prediction; fit: at most")
-        ->type_name("TEXELS|fit")
-        ->capture_default_str();
+        ->add_option(
+            "--map-size", options->picture.map_size,
+            fmt::format("Texels along an edge of a map, for the memory prediction; fit: at most [{}]",
+                        MapSettings().size))
+        ->type_name("TEXELS|fit");
     command
         ->add_option("--polyhedron", options->picture.polyhedron,
                      "Polyhedron of polygon maps, for the memory prediction: see utsuri render --help")

@@ -118,9 +118,12 @@ RenderSettings PictureOptions::render_settings() const {
 
 MapSettings PictureOptions::map_settings() const {
     MapSettings settings;
-    const MapSize size_of_maps = parse_map_size(map_size);
-    settings.size = size_of_maps.texels;
-    settings.fitted = size_of_maps.fitted;
+    if (map_size) {
+        const MapSize size_of_maps = parse_map_size(*map_size);
+        settings.size = size_of_maps.texels;
+        settings.fitted = size_of_maps.fitted;
+        settings.shares_room = false;
+    }
     settings.samples = map_samples;
     if (!capture_point.empty()) settings.capture_point = parse_point(capture_point);
     settings.most_probes = most_probes;
@@ -164,10 +167,9 @@ void add_sampling_options(CLI::App& command, PictureOptions& options) {
         .add_option(
             "--map-size", options.map_size,
             fmt::format("Texels along an edge of a reflection map, up to {}, or fit: for each object as "
-                        "many as the pixels that show it need, up to {}",
-                        kLargestMapSize, kMostFittedMapSize))
-        ->type_name("TEXELS|fit")
-        ->capture_default_str();
+                        "many as the pixels that show it need, up to {} [{}, fewer where there is no room]",
+                        kLargestMapSize, kMostFittedMapSize, MapSettings().size))
+        ->type_name("TEXELS|fit");
     command.add_option("--map-spp", options.map_samples, "Samples per texel of a reflection map")
         ->check(CLI::Range(1u, kMostMapSamples))
         ->capture_default_str();

@@ -31,7 +31,7 @@ struct PictureOptions {
     std::string camera;
     std::uint32_t seed = 0;
     std::uint32_t depth = 8;
-    std::string map_size = "256";
+    std::optional<std::string> map_size;  ///< of what fits up to MapSettings::size if not given
     std::uint32_t map_samples = 8;
     std::uint32_t light_samples = LightSettings().samples;
     double light_spacing = LightSettings().spacing;

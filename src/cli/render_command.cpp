@@ -112,14 +112,19 @@ nlohmann::ordered_json to_json(const Result& result, const RenderOptions& option
             {"rays", counts.rays},
             {"maps", result.statistics.maps},
             {"captured_maps", result.statistics.captured_maps},
+            {"least_map_size", result.statistics.least_map_size},
+            {"largest_map_size", result.statistics.largest_map_size},
             {"nonfinite", counts.nonfinite},
             {"truncated", counts.truncated}};
 }
 
-/// "5 of 18 maps, ", or nothing where there are none.
+/// "5 of 18 maps of 256 texels, " or "5 of 18 maps of 8 to 64 texels, "; nothing where there are none.
 std::string describe_maps(const RenderStatistics& statistics) {
     if (statistics.maps == 0) return {};
-    return fmt::format("{} of {} maps, ", statistics.captured_maps, statistics.maps);
+    const bool is_even = statistics.least_map_size == statistics.largest_map_size;
+    return fmt::format("{} of {} maps of {}{} texels, ", statistics.captured_maps, statistics.maps,
+                       is_even ? "" : fmt::format("{} to ", statistics.least_map_size),
+                       statistics.largest_map_size);
 }
 
 /// The options that decide how a picture is made.

@@ -29,8 +29,10 @@ struct MethodResult {
     std::uint64_t peak_bytes = 0;     ///< device memory, scene included
     std::uint64_t rays = 0;           ///< of the frame
     std::uint64_t prepare_rays = 0;
-    std::uint32_t map_count = 0;      ///< reflection maps, captured or not
-    std::uint32_t captured_maps = 0;  ///< of those, that some pixel looked up
+    std::uint32_t map_count = 0;       ///< reflection maps, captured or not
+    std::uint32_t captured_maps = 0;   ///< of those, that some pixel looked up
+    std::uint32_t least_map_size = 0;  ///< texels along an edge
+    std::uint32_t largest_map_size = 0;
     double traced_fraction = 0.0;     ///< of the specular lookups, those that followed a ray; 0 without any
     std::uint64_t nonfinite = 0;      ///< samples left out
     double truncated_fraction = 0.0;  ///< of the specular lookups, those cut at the depth bound

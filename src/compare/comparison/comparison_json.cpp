@@ -76,6 +76,8 @@ Json result_to_json(const MethodResult& result) {
             {"prepare_rays", result.prepare_rays},
             {"maps", result.map_count},
             {"captured_maps", result.captured_maps},
+            {"least_map_size", result.least_map_size},
+            {"largest_map_size", result.largest_map_size},
             {"traced_fraction", result.traced_fraction},
             {"truncated_fraction", result.truncated_fraction},
             {"nonfinite", result.nonfinite},

@@ -28,6 +28,8 @@ MethodResult collect_result(const PictureSettings& settings, const Picture& pict
     result.prepare_rays = statistics.prepare_counts.rays;
     result.map_count = statistics.maps;
     result.captured_maps = statistics.captured_maps;
+    result.least_map_size = statistics.least_map_size;
+    result.largest_map_size = statistics.largest_map_size;
     result.traced_fraction = fraction(statistics.counts.traced, statistics.counts.lookups);
     result.nonfinite = statistics.counts.nonfinite + statistics.prepare_counts.nonfinite;
     result.truncated_fraction = fraction(statistics.counts.truncated, statistics.counts.lookups);

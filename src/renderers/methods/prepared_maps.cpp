@@ -47,7 +47,7 @@ GlossyMapSettings glossy_map_settings(MapKind kind, const MapSettings& maps) {
     // By distances, lobes are closer from one point that sees what they reflect than blended with others that
     // may not: glossy_probes_test.cpp.
     const std::uint32_t most_probes = keeps_distances(kind) ? 1 : maps.most_probes;
-    return {size, maps.samples, maps.capture_point, most_probes, kind, maps.proxy};
+    return {size, maps.samples, maps.capture_point, most_probes, kind, maps.proxy, maps.shares_room};
 }
 
 PreparedMaps::PreparedMaps(Device& device, const SceneData& data, const GpuScene& scene, SurfaceLight& light,

@@ -16,6 +16,11 @@
 namespace utsuri {
 namespace {
 
+/// In bytes.
+std::uint64_t largest_buffer(const GlossyMapPlan& plan) {
+    return std::max(plan.texels, MapPrefilter::source_texels(plan.largest_source())) * sizeof(glm::vec3);
+}
+
 GlossyMapPlan placed(const Device& device, const SceneData& data, const GlossyMapSettings& settings,
                      std::vector<interop::ProxyPlane>& proxy_planes) {
     // Lobes are traced: traced_lobe.glsl.
@@ -26,8 +31,10 @@ GlossyMapPlan placed(const Device& device, const SceneData& data, const GlossyMa
     GlossyMapPlan plan = plan_glossy_maps(data, settings.size, probes);
     const std::uint64_t limit = device.summary().storage_range_bytes;
     if (plan.levels.empty()) return plan;
-    const std::uint64_t bytes =
-        std::max(plan.texels, MapPrefilter::source_texels(plan.largest_source())) * sizeof(glm::vec3);
+    for (std::uint32_t size = settings.size / 2;
+         settings.shares_room && largest_buffer(plan) > limit && size > 0; size /= 2)
+        plan = plan_glossy_maps(data, size, probes);
+    const std::uint64_t bytes = largest_buffer(plan);
     if (bytes > limit) {
         throw UsageError(
             "make maps for rough surfaces",

@@ -27,6 +27,7 @@ struct GlossyMapSettings {
     std::uint32_t most_probes = 1;                   ///< capture points of an instance, [1, kMostProbes]
     MapKind kind = MapKind::cube;                    ///< how they are looked up
     std::optional<GivenProxy> proxy = std::nullopt;  ///< fitted to what each instance sees if not set
+    bool shares_room = true;                         ///< as MapSettings has it: all smaller, by halves
 };
 
 /// What glossy lobes reflect: for every instance that has some, cubes of maps captured without it from one

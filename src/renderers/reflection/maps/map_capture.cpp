@@ -22,6 +22,8 @@ MapCapture::MapCapture(Device& device, const GpuScene& scene, const SurfaceLight
 void MapCapture::prepare(const Camera& eye, RenderStatistics& statistics) {
     statistics.maps = maps_.map_count();
     statistics.captured_maps = maps_.captured_count();
+    statistics.least_map_size = maps_.least_size();
+    statistics.largest_map_size = maps_.largest_size();
     if (statistics.maps == 0) return;
     const Stopwatch stopwatch;
     maps_.orient_to(eye);

@@ -37,8 +37,11 @@ struct MapSettings {
     /// Pieces of polygons cut along its faces that there is room for; polygons whose pieces find none are
     /// drawn whole, their faces found per pixel. >= 1; follows from the number of polygons if not set.
     std::optional<std::uint32_t> most_cut_pieces = std::nullopt;
-    Tolerance tolerance = {};      ///< of MapKind::hybrid
-    bool fitted = false;           ///< each probe's maps only as fine as pixels of the first view need them
+    Tolerance tolerance = {};  ///< of MapKind::hybrid
+    bool fitted = false;       ///< each probe's maps only as fine as pixels of the first view need them
+    /// Where maps of this size do not fit into one buffer of the device, smaller ones share its room by what
+    /// pixels of the first view need; if not set, they are refused. `hybrid` shares in any case.
+    bool shares_room = true;
     bool captures_all = false;     ///< capture maps that nothing looks up yet, too, so that no frame waits
     bool predicts_errors = false;  ///< keep what Renderer::predict_errors() needs, whatever the method
 };

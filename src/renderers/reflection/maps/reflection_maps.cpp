@@ -68,14 +68,14 @@ std::vector<std::uint32_t> map_sizes(const Device& device, const SceneData& data
     const auto fitted = [&] {
         return fit_map_sizes(data, reflectors, probes, kind, view, texel_angle(kind, faces), settings.size);
     };
-    if (settings.fitted) return fitted();
-    std::vector<std::uint32_t> sizes(probes.size(), settings.size);
-    if (kind != MapKind::hybrid) return sizes;
-    // Where the maps of many reflectors do not fit, `hybrid` shares the room out by what pixels need, and
-    // traces what is too coarse.
+    std::vector<std::uint32_t> sizes =
+        settings.fitted ? fitted() : std::vector<std::uint32_t>(probes.size(), settings.size);
+    // `hybrid` traces what is too coarse.
+    if (!settings.shares_room && kind != MapKind::hybrid) return sizes;
     const std::uint64_t room = device.summary().storage_range_bytes / sizeof(glm::vec3);
-    if (texels_of(sizes, faces.size()) > room) sizes = fitted();
-    while (texels_of(sizes, faces.size()) > room && *std::max_element(sizes.begin(), sizes.end()) > 1) {
+    const std::size_t maps = kind == MapKind::sphere ? 1 : faces.size();
+    if (texels_of(sizes, maps) > room) sizes = fitted();
+    while (texels_of(sizes, maps) > room && *std::max_element(sizes.begin(), sizes.end()) > 1) {
         for (std::uint32_t& size : sizes)
             size = std::max(1u, size / 2);
     }
@@ -201,6 +201,13 @@ std::uint32_t ReflectionMaps::maps_per_probe() const {
 
 std::uint32_t ReflectionMaps::map_count() const {
     return static_cast<std::uint32_t>(infos_.size()) * maps_per_probe();
+}
+
+std::uint32_t ReflectionMaps::least_size() const {
+    std::uint32_t least = infos_.empty() ? 0 : infos_.front().map_size;
+    for (const interop::ProbeInfo& info : infos_)
+        least = std::min(least, info.map_size);
+    return least;
 }
 
 std::uint32_t ReflectionMaps::largest_size() const {

@@ -53,7 +53,8 @@ class ReflectionMaps {
     void mark_captured(const std::vector<std::uint32_t>& maps) { set_states(maps, interop::MAP_CAPTURED); }
     [[nodiscard]] std::uint32_t captured_count() const { return captured_; }
     [[nodiscard]] std::uint32_t map_count() const;
-    /// Texels along an edge of the largest maps; 0 without maps.
+    /// Texels along an edge of the smallest and of the largest maps; 0 without maps.
+    [[nodiscard]] std::uint32_t least_size() const;
     [[nodiscard]] std::uint32_t largest_size() const;
 
     /// What sees a map, its border included.
