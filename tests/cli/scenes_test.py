@@ -11,7 +11,7 @@ from cli_case import TIMEOUT_SECONDS, CliCase, environment_path
 
 SAMPLES, WIDTH, HEIGHT = 4, 32, 24
 SETTINGS = ("--size", f"{WIDTH}x{HEIGHT}", "--spp", str(SAMPLES), "--reference-spp", "2", "--map-size", "16",
-            "--map-spp", "2", "--light-spp", "2")
+            "--map-spp", "2", "--light-spp", "2", "--light-points", "20000")
 # The scene of a million triangles is made to measure, and here it is small.
 LEAST_TRIANGLES = 50000
 
