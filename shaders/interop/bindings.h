@@ -36,7 +36,7 @@ INTEROP_CONSTANT BINDING_CHANGED_BOXES = 18u;
 INTEROP_CONSTANT BINDING_LIGHT_PLACES = 19u;  ///< of points to simulate light at
 INTEROP_CONSTANT BINDING_LIGHT_PIECES = 20u;  ///< radiance of parts of textured lights: light_pieces.h
 INTEROP_CONSTANT BINDING_SUMMED_LIGHTS = 21u;
-INTEROP_CONSTANT BINDING_LIGHT_GROUPS = 22u;  ///< how the light tree refers to each
+INTEROP_CONSTANT BINDING_LIGHT_GROUPS = 22u;
 
 // Reflection maps and the points that they are captured from.
 INTEROP_CONSTANT BINDING_PROBES = 23u;

@@ -63,8 +63,9 @@ struct LightMeshPlace {
     float b1;  ///< barycentric coordinates on it
     float b2;
     uint known;  ///< 1: what was kept at the point is right unless a change has reached it
-    uint lit;    ///< groups that are lit on both sides of the place: a few samples confirm it there
-    uint dark;
+    uint lit;  ///< groups that are lit at both ends of the edge that the place halves, bits as LightMeshPoint
+               ///< has them: a few samples confirm it there
+    uint dark;  ///< the same of groups that are dark
 };
 
 /// Where light comes from.

@@ -57,12 +57,14 @@ GroupShadow next_group(inout Shadows shadows) {
         strongest = group;
         most = strength;
     }
+    GroupShadow shadow = GroupShadow(strongest, 0u, 0u, 0u, 0u, vec3(0.0), vec3(0.0));
+    if (strongest == NONE) return shadow;
     // By its share of what arrives as far as is known: what is in shadow leaves its samples to others.
     float share = min(most / (strength_of(shadows.light) + shadows.left), 1.0);
     uint samples = min(uint(ceil(share * float(push.samples))), shadows.samples);
-    if (strongest != NONE) samples = min(samples, light_groups[strongest].most_samples);
+    shadow.samples = max(min(samples, light_groups[strongest].most_samples), 1u);
     shadows.left = max(shadows.left - most, 0.0);
-    return GroupShadow(strongest, max(samples, 1u), 0u, 0u, 0u, vec3(0.0), vec3(0.0));
+    return shadow;
 }
 
 bool is_told(GroupShadow shadow, GroupStates expected) {

@@ -23,12 +23,14 @@ constexpr std::array kToleranceScales = {0.5, 2.0, 4.0};
 TradeSetting with_fitted_maps(TradeSetting setting) {
     setting.maps.fitted = true;
     setting.maps.size = kMostFittedMapSize;
+    setting.maps.shares_room = false;
     setting.options.insert(setting.options.end(), {"--map-size", "fit"});
     return setting;
 }
 
 TradeSetting with_map_size(TradeSetting setting, std::uint32_t size) {
     setting.maps.size = size;
+    setting.maps.shares_room = false;  // as the option has it
     setting.options.insert(setting.options.end(), {"--map-size", fmt::format("{}", size)});
     return setting;
 }

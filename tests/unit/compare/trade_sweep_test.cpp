@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <set>
 #include <string>
@@ -125,6 +126,9 @@ TEST(Sweep, EveryMethodIsTriedAndNoSettingTwice) {
         methods.insert(method_name(setting.method));
         EXPECT_EQ(setting.options[0], "--reflection");
         EXPECT_EQ(setting.options[1], setting.method.reflection->name);
+        // A size on the command line is made or refused: what is measured is what the command renders.
+        const bool names_size = std::ranges::count(setting.options, "--map-size") > 0;
+        EXPECT_EQ(setting.maps.shares_room, !names_size);
     }
     EXPECT_EQ(options.size(), settings.size());
     EXPECT_EQ(methods.size(), all_methods(light_methods().front()).size());

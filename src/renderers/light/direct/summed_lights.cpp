@@ -2,6 +2,7 @@
 #include "renderers/light/direct/summed_lights.h"
 
 #include "renderers/scene/scene_triangles.h"
+#include "renderers/scene/triangle_frame.h"
 
 #include <glm/geometric.hpp>
 
@@ -14,10 +15,6 @@ namespace {
 
 /// Summing more lights than this at every point would cost as much as the rays that tell their shadows.
 constexpr std::size_t kMostSummedLights = 4096;
-
-bool is_infinite(const interop::LightInfo& light) {
-    return light.type == interop::LIGHT_ENVIRONMENT || light.type == interop::LIGHT_DIRECTIONAL;
-}
 
 bool is_light(std::uint32_t reference) {
     return (reference & interop::LIGHT_CLUSTER_LEAF) != 0;
@@ -90,15 +87,6 @@ class TreeCut {
     std::vector<bool> is_lamp_;  ///< of each node: there is no gap in it
 };
 
-double longest_edge_squared(const Corners& corners) {
-    double longest = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const glm::dvec3 edge = corners[(i + 1) % 3] - corners[i];
-        longest = std::max(longest, glm::dot(edge, edge));
-    }
-    return longest;
-}
-
 class Lister {
   public:
     Lister(const SceneData& data, const LightPieces& pieces) : data_(data), pieces_(pieces) {}
@@ -123,16 +111,16 @@ class Lister {
     }
 
     void add_lights(std::uint32_t reference) {
-        std::vector<std::uint32_t> todo{reference};
-        while (!todo.empty()) {
-            const std::uint32_t part = todo.back();
-            todo.pop_back();
+        std::vector<std::uint32_t> parts{reference};
+        while (!parts.empty()) {
+            const std::uint32_t part = parts.back();
+            parts.pop_back();
             if (is_light(part)) {
                 add_light(part & interop::LIGHT_CLUSTER_INDEX);
                 continue;
             }
             for (const interop::LightCluster& child : children(data_, part))
-                todo.push_back(child.child);
+                parts.push_back(child.child);
         }
     }
 
@@ -148,8 +136,9 @@ class Lister {
         }
         const Corners corners = corners_of(data_, info.triangle);
         const interop::MaterialInfo& material = data_.materials[data_.triangle_infos[info.triangle].material];
+        const double size = TriangleFrame(corners).longest_edge();
         light.middle = glm::vec3((corners[0] + corners[1] + corners[2]) / 3.0);
-        light.size_squared = static_cast<float>(longest_edge_squared(corners));
+        light.size_squared = static_cast<float>(size * size);
         light.area = glm::vec3(0.5 * doubled_area(corners));
         light.v0 = glm::vec3(corners[0]);
         light.v1 = glm::vec3(corners[1]);
@@ -166,22 +155,15 @@ class Lister {
     std::vector<interop::SummedLight> others_;
 };
 
-std::uint32_t infinite_lights(const SceneData& data) {
-    std::uint32_t count = 0;
-    while (count < data.lights.size() && is_infinite(data.lights[count]))
-        ++count;
-    return count;
-}
-
 }  // namespace
 
 bool sums_lights(const SceneData& data) {
-    return data.lights.size() <= kMostSummedLights && infinite_lights(data) < interop::MOST_LIGHT_GROUPS;
+    return data.lights.size() <= kMostSummedLights && data.infinite_lights() < interop::MOST_LIGHT_GROUPS;
 }
 
 SummedLights list_summed_lights(const SceneData& data, const LightPieces& pieces) {
     Lister lister(data, pieces);
-    const std::uint32_t infinite = infinite_lights(data);
+    const std::uint32_t infinite = data.infinite_lights();
     for (std::uint32_t light = 0; light < infinite; ++light)
         lister.add_group(interop::LIGHT_CLUSTER_LEAF | light);
     for (const std::uint32_t part : TreeCut(data).divide(interop::MOST_LIGHT_GROUPS - infinite))
