@@ -6,10 +6,21 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <random>
 #include <system_error>
 
 namespace utsuri {
 namespace fs = std::filesystem;
+namespace {
+
+/// A name beside `path` that no other run uses.
+fs::path unused_neighbour(const fs::path& path, std::string_view purpose) {
+    std::random_device random;
+    return path.parent_path() /
+           fmt::format("{}.{}-{:08x}{}", path.stem().string(), purpose, random(), path.extension().string());
+}
+
+}  // namespace
 
 std::vector<std::byte> read_file(const fs::path& path, std::string_view operation) {
     std::error_code error;
@@ -34,24 +45,39 @@ std::vector<std::byte> read_file(const fs::path& path, std::string_view operatio
     return bytes;
 }
 
-void write_file_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+void check_writable(const fs::path& path) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    const auto refuse = [&](const std::string& problem) {
+        throw InputError("write", fmt::format("'{}'", path.string()), problem);
+    };
     std::error_code error;
-    if (!fs::is_directory(folder, error)) {
-        throw InputError("write", fmt::format("'{}'", path.string()),
-                         fmt::format("the folder '{}' does not exist", folder.string()));
+    if (!fs::exists(folder, error))
+        refuse(fmt::format("the folder '{}' does not exist; create it or choose another", folder.string()));
+    if (!fs::is_directory(folder)) refuse(fmt::format("'{}' is not a folder", folder.string()));
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status)) refuse("is a folder, expected a file name");
+    if (fs::is_regular_file(status)) {
+        // Opened at its end, a file stays as it is.
+        if (!std::ofstream(path, std::ios::app)) refuse("is there and may not be changed");
     }
-    if (fs::is_directory(path, error)) {
-        throw InputError("write", fmt::format("'{}'", path.string()), "is a folder, expected a file name");
-    }
-    const fs::path temporary =
-        folder / fmt::format("{}.partial{}", path.stem().string(), path.extension().string());
+    if (fs::exists(status) && !fs::is_regular_file(status)) return;
+    const fs::path probe = unused_neighbour(path, "write-probe");
+    if (!std::ofstream(probe))
+        refuse(fmt::format("permission denied: nothing can be written in '{}'", folder.string()));
+    fs::remove(probe, error);
+}
+
+void write_file_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+    check_writable(path);
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::exists(status) && !fs::is_regular_file(status)) return write(path);
+    const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+    const fs::path temporary = unused_neighbour(target, "partial");
     try {
         write(temporary);
-        fs::rename(temporary, path, error);
-        if (error) {
-            throw InputError("write", fmt::format("'{}'", path.string()), error.message());
-        }
+        fs::rename(temporary, target, error);
+        if (error) throw InputError("write", fmt::format("'{}'", path.string()), error.message());
     } catch (...) {
         fs::remove(temporary, error);
         throw;

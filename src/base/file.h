@@ -13,9 +13,15 @@ namespace utsuri {
 /// @throws InputError if the path is missing, a directory, or unreadable.
 std::vector<std::byte> read_file(const std::filesystem::path& path, std::string_view operation);
 
+/// Proves, before work whose result it takes, that a file can be written there. Leaves what is there.
+/// @throws InputError telling why not
+void check_writable(const std::filesystem::path& path);
+
 /// Lets `write` fill a temporary neighbour of `path` (same extension), then renames it over `path`, so that a
-/// failure or a kill never leaves half a file under the final name. The temporary is removed on failure.
-/// @throws InputError if the folder does not exist or cannot be written, and whatever `write` throws.
+/// failure or a kill never leaves half a file under the final name. The temporary is removed on failure. A
+/// link stays, and what it leads to is replaced. What is no file, such as a pipe or a terminal, is written
+/// into.
+/// @throws InputError if check_writable() does, and whatever `write` throws
 void write_file_atomically(const std::filesystem::path& path,
                            const std::function<void(const std::filesystem::path& temporary)>& write);
 

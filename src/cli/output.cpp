@@ -12,6 +12,10 @@
 
 namespace utsuri {
 
+void check_json(const CommonOptions& options) {
+    if (!options.json.empty() && options.json != "-") check_writable(options.json);
+}
+
 void write_json(const CommonOptions& options, const nlohmann::ordered_json& json) {
     if (options.json.empty()) return;
     const std::string text = json_text(json, 2) + "\n";

@@ -11,6 +11,10 @@
 
 namespace utsuri {
 
+/// Proves before the work that the result for machines can be written where the user wants it.
+/// @throws InputError otherwise
+void check_json(const CommonOptions& options);
+
 /// Writes the result for machines where the user wants it.
 void write_json(const CommonOptions& options, const nlohmann::ordered_json& json);
 

@@ -194,17 +194,8 @@ void check_output(const RenderOptions& options) {
     if (!options.aovs.empty() && extension != ".exr") {
         throw UsageError("write AOVs into", fmt::format("'{}'", options.output), "only .exr files hold them");
     }
-    const std::filesystem::path path(options.output);
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    std::error_code unreadable;
-    if (!std::filesystem::is_directory(folder, unreadable)) {
-        throw InputError("write", fmt::format("'{}'", options.output),
-                         fmt::format("'{}' is not a folder; create it or choose another", folder.string()));
-    }
-    if (std::filesystem::is_directory(path, unreadable)) {
-        throw InputError("write", fmt::format("'{}'", options.output), "is a folder, expected a file name");
-    }
-    make_output_folder(folder);  // which is there: proves before the work that its result can be written
+    check_writable(options.output);
+    check_json(options.common);
 }
 
 /// Finds mistakes before the work begins.

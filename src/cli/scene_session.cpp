@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/scene_session.h"
 
+#include "cli/output.h"
+
 #include "base/error.h"
 #include "base/file.h"
 #include "base/stopwatch.h"
@@ -69,6 +71,7 @@ SceneSession::SceneSession(const CommonOptions& common, const PictureOptions& pi
       session_(make_session(common, picture.light_settings())),
       progress_(common.quiet) {
     make_output_folder(folder);
+    check_json(common);
     progress_.begin("building the BVH");
     session_.set_scene(loaded_.scene);
 }

@@ -65,7 +65,7 @@ class Interrupt(CliCase):
 
     def test_second_one_ends_work_that_does_not_stop(self):
         # Opening a pipe that nobody reads takes forever: work that comes to no place where it may stop.
-        os.mkfifo(self.scratch / "result.partial.json")
+        os.mkfifo(self.scratch / "result.json")
         process = subprocess.Popen([self.program, "render", self.scene("cornell"), "-o", "picture.exr", "--json",
                                     "result.json", *SMALL, "--spp", "1"],
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=self.scratch)

@@ -131,18 +131,46 @@ TEST_F(File, TellsWhereNothingCanBeWritten) {
 TEST_F(File, TellsThatAFolderIsNotWritable) {
     if (!make_unwritable()) GTEST_SKIP() << "permissions do not bind this user";
     EXPECT_THAT(input_error_of([&] { write_text_atomically(folder_ / "a.json", "x"); }),
-                AllOf(HasSubstr("a.json"), HasSubstr("writable")));
+                AllOf(HasSubstr("a.json"), HasSubstr("permission denied")));
     EXPECT_THAT(input_error_of([&] { make_output_folder(folder_); }), HasSubstr("permission denied"));
 }
 
 TEST_F(File, TellsThatADeviceWithoutSpaceIsFull) {
     const fs::path full = "/dev/full";
     if (!fs::exists(full)) GTEST_SKIP() << "no device that is always full";
-    // A link takes the place of the temporary file, so that writing into it fails as on a full disk.
-    fs::create_symlink(full, folder_ / "a.partial.json");
-    EXPECT_THAT(input_error_of([&] { write_text_atomically(folder_ / "a.json", "x"); }),
-                HasSubstr("disk full"));
+    EXPECT_THAT(input_error_of([&] { write_text_atomically(full, "x"); }), HasSubstr("disk full"));
+    EXPECT_TRUE(fs::is_character_file(full));
+}
+
+TEST_F(File, LeavesLinksAndReplacesWhatTheyLeadTo) {
+    fs::create_directory(folder_ / "there");
+    write_text_atomically(folder_ / "there" / "a.json", "old");
+    fs::create_symlink(folder_ / "there" / "a.json", folder_ / "link.json");
+    write_text_atomically(folder_ / "link.json", "new");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link.json"));
+    EXPECT_EQ(text_of(folder_ / "there" / "a.json"), "new");
+}
+
+TEST_F(File, WritesIntoWhatIsNoFile) {
+    const fs::path device = "/dev/null";
+    if (!fs::exists(device)) GTEST_SKIP() << "no device that takes all";
+    write_text_atomically(device, "x");
+    EXPECT_TRUE(fs::is_character_file(device));
+}
+
+TEST_F(File, TellsBeforehandWhatCannotBeWritten) {
+    EXPECT_NO_THROW(check_writable(folder_ / "a.json"));
     EXPECT_THAT(names(), IsEmpty());
+    write_text_atomically(folder_ / "a.json", "old");
+    EXPECT_NO_THROW(check_writable(folder_ / "a.json"));
+    EXPECT_EQ(text_of(folder_ / "a.json"), "old");
+    EXPECT_THAT(input_error_of([&] { check_writable(folder_ / "none" / "a.json"); }),
+                HasSubstr("does not exist"));
+    EXPECT_THAT(input_error_of([&] { check_writable(folder_); }), HasSubstr("is a folder"));
+    fs::permissions(folder_ / "a.json", fs::perms::owner_read);
+    if (std::ofstream(folder_ / "a.json", std::ios::app)) GTEST_SKIP() << "permissions do not bind this user";
+    EXPECT_THAT(input_error_of([&] { write_text_atomically(folder_ / "a.json", "new"); }),
+                HasSubstr("may not be changed"));
 }
 
 TEST_F(File, MakesFoldersWithTheirParents) {
