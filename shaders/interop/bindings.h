@@ -84,7 +84,12 @@ INTEROP_CONSTANT BINDING_LISTED_REFLECTORS = 56u;  ///< of the triangles of the 
 INTEROP_CONSTANT BINDING_DRAWN = 57u;              ///< a drawn picture, a vec4 a pixel
 INTEROP_CONSTANT BINDING_THROUGHPUT = 58u;  ///< of the mirrors that a pixel shows so far, a vec4 a pixel
 
-INTEROP_CONSTANT BINDING_COUNT = 59u;
+INTEROP_CONSTANT BINDING_DEFERRED = 59u;  ///< a DeferredReflection a pixel
+INTEROP_CONSTANT BINDING_DEFERRED_VIEWS = 60u;
+INTEROP_CONSTANT BINDING_DEFERRED_COUNT = 61u;
+INTEROP_CONSTANT BINDING_DEFERRED_PIXELS = 62u;  ///< numbers of those with a deferred reflection
+
+INTEROP_CONSTANT BINDING_COUNT = 63u;
 
 INTEROP_END
 #endif

@@ -40,6 +40,45 @@ struct ViewPush {
     uint next;         ///< number of the view in the mirror that is drawn, or VIEW_TRUNCATED
 };
 
+/// A reflection that a drawn pixel leaves to rays: a texel of a second attachment.
+struct DeferredReflection {
+    uint triangle;  ///< that reflects
+    float b1;       ///< barycentric coordinates on it
+    float b2;
+    uint request;  ///< a DEFERRED_ kind, the chance to be here, the number of the DeferredView
+};
+
+INTEROP_CONSTANT DEFERRED_KIND = 3u;  ///< the bits of:
+INTEROP_CONSTANT DEFERRED_NONE = 0u;
+INTEROP_CONSTANT DEFERRED_LOBE = 1u;          ///< a glossy lobe
+INTEROP_CONSTANT DEFERRED_MIRROR = 2u;        ///< a curved mirror
+INTEROP_CONSTANT DEFERRED_PLANE_MIRROR = 3u;  ///< a plane mirror whose view is not drawn
+/// A chance is stored as a number of this many parts of 1, less one, from a bit on.
+INTEROP_CONSTANT DEFERRED_CHANCES = 65536u;
+INTEROP_CONSTANT DEFERRED_CHANCE_SHIFT = 2u;
+INTEROP_CONSTANT DEFERRED_VIEW_SHIFT = 18u;
+INTEROP_CONSTANT DEFERRED_MOST_VIEWS = 4096u;  ///< what one update of a buffer can hold
+
+/// A view of a frame, the eye's first: where its eye is, and the mirrors that it is seen in.
+struct DeferredView {
+    vec3 eye;
+    uint reflections;
+};
+
+/// Pixels of a band with deferred reflections, and the dispatch that follows them: VkDispatchIndirectCommand.
+struct DeferredCount {
+    uint groups_x;
+    uint groups_y;
+    uint groups_z;
+    uint pixels;
+};
+
+struct DeferredPush {
+    uint first_row;  ///< of the band that the buffers hold
+    uint rows;
+    uint first_tile;  ///< of this dispatch, in the band
+};
+
 struct AddDrawnPush {
     uint pixels;
     uint sample_index;

@@ -7,6 +7,8 @@
 
 /// Dimension pair 0 places the sample in its pixel; surfaces use those from 1 on.
 const uint FIRST_SURFACE_DIMENSION = 1u;
+/// Pairs that one surface uses: two for a light sample, one for the direction of a lobe, one for roulette.
+const uint DIMENSIONS_PER_SURFACE = 4u;
 
 /// A bijective hash of 32 bits (pcg output permutation: Jarzynski and Olano 2020).
 uint hash(uint x) {

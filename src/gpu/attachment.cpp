@@ -19,7 +19,7 @@ vk::raii::Image create_image(const Device& device, std::uint32_t width, std::uin
     info.mipLevels = 1;
     info.arrayLayers = 1;
     info.usage = format == kDepthFormat ? vk::ImageUsageFlags(Usage::eDepthStencilAttachment)
-                                        : Usage::eColorAttachment | Usage::eTransferSrc;
+                                        : Usage::eColorAttachment | Usage::eTransferSrc | Usage::eTransferDst;
     return device.handle().createImage(info);
 }
 
@@ -67,28 +67,55 @@ Attachment::Attachment(Attachment&& other) noexcept = default;
 Attachment& Attachment::operator=(Attachment&& other) noexcept = default;
 Attachment::~Attachment() = default;
 
+void Attachment::hand_over(const vk::raii::CommandBuffer& commands, vk::PipelineStageFlags2 from,
+                           vk::AccessFlags2 done, vk::ImageLayout old_layout, vk::PipelineStageFlags2 to,
+                           vk::AccessFlags2 next, vk::ImageLayout new_layout) const {
+    const vk::ImageMemoryBarrier2 barrier(from, done, to, next, old_layout, new_layout,
+                                          VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, *image_,
+                                          {aspect_, 0, 1, 0, 1});
+    commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
+}
+
+vk::BufferImageCopy Attachment::whole_rows(std::uint32_t first_row, std::uint32_t rows) const {
+    return {0, 0, 0, {aspect_, 0, 0, 1}, {0, static_cast<std::int32_t>(first_row), 0}, {width_, rows, 1}};
+}
+
 void Attachment::copy_rows(const vk::raii::CommandBuffer& commands, std::uint32_t first_row,
                            std::uint32_t rows, const Buffer& target) const {
+    using Stage = vk::PipelineStageFlagBits2;
+    using Access = vk::AccessFlagBits2;
+    using Layout = vk::ImageLayout;
     UTSURI_CHECK_LE(std::uint64_t{width_} * rows * 16, target.size());
-    const vk::ImageMemoryBarrier2 readable(
-        vk::PipelineStageFlagBits2::eColorAttachmentOutput, vk::AccessFlagBits2::eColorAttachmentWrite,
-        vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
-        vk::ImageLayout::eAttachmentOptimal, vk::ImageLayout::eTransferSrcOptimal, VK_QUEUE_FAMILY_IGNORED,
-        VK_QUEUE_FAMILY_IGNORED, *image_, {aspect_, 0, 1, 0, 1});
     // Whoever read the target's old contents has to be done.
-    const vk::MemoryBarrier2 writable(vk::PipelineStageFlagBits2::eAllCommands,
-                                      vk::AccessFlagBits2::eMemoryWrite, vk::PipelineStageFlagBits2::eCopy,
-                                      vk::AccessFlagBits2::eTransferWrite);
-    commands.pipelineBarrier2(vk::DependencyInfo({}, writable, {}, readable));
-    const vk::BufferImageCopy region(0, 0, 0, {aspect_, 0, 0, 1},
-                                     {0, static_cast<std::int32_t>(first_row), 0}, {width_, rows, 1});
-    commands.copyImageToBuffer(*image_, vk::ImageLayout::eTransferSrcOptimal, target.handle(), region);
-    const vk::ImageMemoryBarrier2 drawable(
-        vk::PipelineStageFlagBits2::eCopy, vk::AccessFlagBits2::eTransferRead,
-        vk::PipelineStageFlagBits2::eColorAttachmentOutput, vk::AccessFlagBits2::eColorAttachmentWrite,
-        vk::ImageLayout::eTransferSrcOptimal, vk::ImageLayout::eAttachmentOptimal, VK_QUEUE_FAMILY_IGNORED,
-        VK_QUEUE_FAMILY_IGNORED, *image_, {aspect_, 0, 1, 0, 1});
-    commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, drawable));
+    const vk::MemoryBarrier2 writable(Stage::eAllCommands, Access::eMemoryWrite, Stage::eCopy,
+                                      Access::eTransferWrite);
+    commands.pipelineBarrier2(vk::DependencyInfo({}, writable));
+    hand_over(commands, Stage::eColorAttachmentOutput | Stage::eCopy,
+              Access::eColorAttachmentWrite | Access::eTransferWrite, Layout::eAttachmentOptimal,
+              Stage::eCopy, Access::eTransferRead, Layout::eTransferSrcOptimal);
+    commands.copyImageToBuffer(*image_, Layout::eTransferSrcOptimal, target.handle(),
+                               whole_rows(first_row, rows));
+    hand_over(commands, Stage::eCopy, Access::eTransferRead, Layout::eTransferSrcOptimal,
+              Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite, Layout::eAttachmentOptimal);
+}
+
+void Attachment::replace_rows(const vk::raii::CommandBuffer& commands, std::uint32_t first_row,
+                              std::uint32_t rows, const Buffer& source) const {
+    using Stage = vk::PipelineStageFlagBits2;
+    using Access = vk::AccessFlagBits2;
+    using Layout = vk::ImageLayout;
+    UTSURI_CHECK_LE(std::uint64_t{width_} * rows * 16, source.size());
+    const vk::MemoryBarrier2 readable(Stage::eAllCommands, Access::eMemoryWrite, Stage::eCopy,
+                                      Access::eTransferRead);
+    commands.pipelineBarrier2(vk::DependencyInfo({}, readable));
+    hand_over(commands, Stage::eColorAttachmentOutput | Stage::eCopy,
+              Access::eColorAttachmentWrite | Access::eTransferRead, Layout::eAttachmentOptimal, Stage::eCopy,
+              Access::eTransferWrite, Layout::eTransferDstOptimal);
+    commands.copyBufferToImage(source.handle(), *image_, Layout::eTransferDstOptimal,
+                               whole_rows(first_row, rows));
+    hand_over(commands, Stage::eCopy, Access::eTransferWrite, Layout::eTransferDstOptimal,
+              Stage::eColorAttachmentOutput | Stage::eCopy,
+              Access::eColorAttachmentWrite | Access::eTransferRead, Layout::eAttachmentOptimal);
 }
 
 }  // namespace utsuri

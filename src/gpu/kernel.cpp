@@ -32,16 +32,21 @@ Kernel::Kernel(Kernel&& other) noexcept = default;
 Kernel& Kernel::operator=(Kernel&& other) noexcept = default;
 Kernel::~Kernel() = default;
 
-void Kernel::dispatch_bytes(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
-                            std::span<const std::byte> push, std::uint32_t groups) const {
-    UTSURI_CHECK_LE(groups, kMaxGroups);
+void Kernel::prepare(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
+                     std::span<const std::byte> push) const {
     const vk::MemoryBarrier2 after_previous(
         vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite,
-        vk::PipelineStageFlagBits2::eComputeShader,
+        vk::PipelineStageFlagBits2::eComputeShader | vk::PipelineStageFlagBits2::eDrawIndirect,
         vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite);
     commands.pipelineBarrier2(vk::DependencyInfo({}, after_previous));
     commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_->handle);
     pipeline_->interface.use(commands, vk::PipelineBindPoint::eCompute, bindings, push);
+}
+
+void Kernel::dispatch_bytes(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
+                            std::span<const std::byte> push, std::uint32_t groups) const {
+    UTSURI_CHECK_LE(groups, kMaxGroups);
+    prepare(commands, bindings, push);
     commands.dispatch(groups, 1, 1);
 }
 

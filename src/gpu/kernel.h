@@ -46,6 +46,14 @@ class Kernel {
         dispatch_bytes(commands, bindings, std::as_bytes(std::span(&push, 1)), groups);
     }
 
+    /// Records a dispatch whose VkDispatchIndirectCommand a kernel has left at the front of a buffer.
+    template <typename Push>
+    void dispatch_indirect(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
+                           const Push& push, const Buffer& arguments) const {
+        prepare(commands, bindings, std::as_bytes(std::span(&push, 1)));
+        commands.dispatchIndirect(arguments.handle(), 0);
+    }
+
     /// Records as many dispatches as it takes to work on `count` invocations; none for 0.
     /// @param push its `begin` and `end` tell the kernel which of them a dispatch is for: [begin, end)
     /// @param most_groups of a dispatch, in [1, kMaxGroups]; how the work is cut changes no result
@@ -59,6 +67,9 @@ class Kernel {
     }
 
   private:
+    /// Records all of a dispatch but itself.
+    void prepare(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
+                 std::span<const std::byte> push) const;
     void dispatch_bytes(const vk::raii::CommandBuffer& commands, const BindingSet& bindings,
                         std::span<const std::byte> push, std::uint32_t groups) const;
 

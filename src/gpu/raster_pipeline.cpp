@@ -46,12 +46,11 @@ vk::raii::Pipeline create_pipeline(const Device& device, const PipelineInterface
     vk::PipelineColorBlendAttachmentState overwrite;
     if (fragment_stage && colour_state.written)
         overwrite.colorWriteMask = Channel::eR | Channel::eG | Channel::eB | Channel::eA;
-    const std::vector blending(colour_state.attachments, overwrite);
+    const std::vector blending(colour_state.formats.size(), overwrite);
     const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, vk::LogicOp::eClear, blending);
     const std::array dynamic = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic_state({}, dynamic);
-    const std::vector colour_formats(colour_state.attachments, kColourFormat);
-    const vk::PipelineRenderingCreateInfo formats(0, colour_formats, kDepthFormat);
+    const vk::PipelineRenderingCreateInfo formats(0, colour_state.formats, kDepthFormat);
     vk::GraphicsPipelineCreateInfo info({}, stages, &pulled, &assembly, nullptr, &viewport, &rasterization,
                                         &single_sample, &depth, &blend, &dynamic_state, interface.layout());
     info.pNext = &formats;
@@ -67,10 +66,12 @@ PipelineRecipe recipe(std::span<const std::uint32_t> vertex, std::span<const std
     recipe.add(push_bytes)
         .add(static_cast<std::uint32_t>(depth.test))
         .add(std::bit_cast<std::uint32_t>(depth.behind))
-        .add(colour.attachments)
         .add(colour.written ? 1 : 0)
+        .add(static_cast<std::uint32_t>(colour.formats.size()))
         .add_stage(vertex, specialization)
         .add_stage(fragment, specialization);
+    for (const vk::Format format : colour.formats)
+        recipe.add(static_cast<std::uint32_t>(format));
     return recipe;
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace utsuri {
 
@@ -27,8 +28,8 @@ struct DepthState {
 
 /// What fragments do to the colours of a picture.
 struct ColourState {
-    std::uint32_t attachments = 1;  ///< that are drawn into together
-    bool written = true;            ///< false where the fragment stage only tells which fragments count
+    std::vector<vk::Format> formats = {kColourFormat};  ///< of the attachments that are drawn into together
+    bool written = true;  ///< false where the fragment stage only tells which fragments count
 };
 
 /// A graphics pipeline made from embedded SPIR-V: triangles whose vertices the vertex stage pulls from

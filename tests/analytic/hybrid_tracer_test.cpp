@@ -68,10 +68,10 @@ TEST_F(TracedByHybrid, IsTheTracedPictureAndTakesNoPreparation) {
     EXPECT_EQ(hybrid->statistics().maps, 0u);
 }
 
-// 4 * 81,922 triangles: the choice depends on the picture's size.
+// 81,922 triangles: the choice depends on the picture's size.
 TEST_F(TracedByHybrid, OnlyWhereTrianglesAreSmallerThanPixels) {
-    EXPECT_TRUE(costs_less_traced(data_, {512, 512}));
-    EXPECT_FALSE(costs_less_traced(data_, {1024, 512}));
+    EXPECT_TRUE(costs_less_traced(data_, {256, 256}));
+    EXPECT_FALSE(costs_less_traced(data_, {512, 256}));
     SceneData few = prepare_scene_data(everything_scene());
     EXPECT_FALSE(costs_less_traced(few, {1, 1}));
 }

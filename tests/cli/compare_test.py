@@ -196,8 +196,8 @@ class CompareOthers(Compare):
 
     def test_predictions(self):
         methods = ("--methods", "trace,polygon-map,planar,hybrid")
-        plain = self.compare("spheres", *methods)
-        values = self.compare("spheres", *methods, "--predictions")
+        plain = self.compare("curved-mirror", *methods)
+        values = self.compare("curved-mirror", *methods, "--predictions")
         self.assertEqual({path.name for path in (self.scratch / "report").iterdir()}, named_files(values))
         trace, polygon_map, planar, hybrid = values["methods"]
         self.assertNotIn("reflection_errors", trace)

@@ -12,6 +12,9 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <vector>
+
 namespace utsuri {
 namespace {
 
@@ -61,6 +64,26 @@ TEST_F(KernelOnDevice, RefusesMoreGroupsThanEveryDeviceTakes) {
                               }),
                  CheckFailure);
     EXPECT_NO_THROW(device().run("nothing", [](const vk::raii::CommandBuffer&) {}));
+}
+
+TEST_F(KernelOnDevice, RunsAsManyGroupsAsABufferTells) {
+    const Kernel kernel(device(), "film_probe", kernels::film_probe, {}, sizeof(interop::ProbePush));
+    const Buffer queries = make_buffer<interop::FilmQuery>(
+        device(), std::vector<interop::FilmQuery>{{1.0f, 5.0f, 2.0f, 0}}, "queries");
+    const Buffer arguments(device(), 3 * sizeof(std::uint32_t), "arguments");
+    for (const std::uint32_t groups : {0u, 1u}) {
+        Buffer answers(device(), 64, "answers");
+        answers.fill_with_zero();
+        const BindingSet set = kernel.bind({{0, &queries}, {1, &answers}});
+        const std::array<std::uint32_t, 3> told = {groups, 1, 1};
+        device().run("an indirect dispatch", [&](const vk::raii::CommandBuffer& commands) {
+            arguments.record_update(commands, std::as_bytes(std::span(told)));
+            kernel.dispatch_indirect(commands, set, interop::ProbePush{1}, arguments);
+        });
+        // b + c, see film_probe.comp.
+        const float sum = answers.download_records<interop::FilmAnswer>(1).front().sum;
+        EXPECT_EQ(sum, groups == 0 ? 0.0f : 7.0f);
+    }
 }
 
 TEST_F(KernelOnDevice, SeesWhatDispatchesBeforeItWrote) {

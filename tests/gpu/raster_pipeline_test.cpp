@@ -127,7 +127,7 @@ TEST_F(RasterOnDevice, DrawsOverWhatIsThereWithinARectangle) {
     const RasterPipeline pipeline(device(), "raster_probe", kernels::raster_probe_vert,
                                   kernels::raster_probe_frag, {}, sizeof(float));
     const RasterPipeline silent(device(), "raster_probe, no colour", kernels::raster_probe_vert,
-                                kernels::raster_probe_frag, {}, sizeof(float), {}, {1, false});
+                                kernels::raster_probe_frag, {}, sizeof(float), {}, {{kColourFormat}, false});
     const Buffer buffer = make_buffer<glm::vec4>(device(), corners, "corners");
     const BindingSet set = pipeline.bind({{0, &buffer}});
     const BindingSet silent_set = silent.bind({{0, &buffer}});
@@ -217,8 +217,8 @@ TEST_F(RasterOnDevice, IsCompiledOnceForEachStateAndSetOfConstants) {
     EXPECT_EQ(pipelines_after({}, {}, {}), once);
     EXPECT_EQ(pipelines_after({}, {DepthTest::nearer, 7.0f}, {}), once + 1);
     EXPECT_EQ(pipelines_after({}, {DepthTest::equal, 7.0f}, {}), once + 2);
-    EXPECT_EQ(pipelines_after({}, {DepthTest::equal, 7.0f}, {1, false}), once + 3);
-    EXPECT_EQ(pipelines_after({{0, 7}}, {DepthTest::equal, 7.0f}, {1, false}), once + 4);
+    EXPECT_EQ(pipelines_after({}, {DepthTest::equal, 7.0f}, {{kColourFormat}, false}), once + 3);
+    EXPECT_EQ(pipelines_after({{0, 7}}, {DepthTest::equal, 7.0f}, {{kColourFormat}, false}), once + 4);
 }
 
 TEST_F(RasterOnDevice, RefusesPicturesLargerThanTheDeviceDraws) {
@@ -228,6 +228,25 @@ TEST_F(RasterOnDevice, RefusesPicturesLargerThanTheDeviceDraws) {
         FAIL() << "made an image of " << limit + 1 << " pixels";
     } catch (const DeviceError& error) {
         EXPECT_THAT(error.what(), HasSubstr(std::to_string(limit)));
+    }
+}
+
+TEST_F(RasterOnDevice, ReplacesSomeRows) {
+    const Attachment colour(device(), kWidth, kHeight, kColourFormat, "colour");
+    const Attachment depth(device(), kWidth, kHeight, kDepthFormat, "depth");
+    const std::vector rows(2 * kWidth, glm::vec4(7.0f, 8.0f, 9.0f, 10.0f));
+    const Buffer replacement = make_buffer<glm::vec4>(device(), rows, "two rows");
+    const Buffer pixels(device(), kWidth * kHeight * sizeof(glm::vec4), "pixels");
+    device().run("draw", [&](const vk::raii::CommandBuffer& commands) {
+        draw_into(commands, colour, depth, kBackground, [] {});
+        colour.replace_rows(commands, 5, 2, replacement);
+        colour.copy_rows(commands, 0, kHeight, pixels);
+    });
+    const auto drawn = pixels.download_records<glm::vec4>(kWidth * kHeight);
+    for (std::uint32_t y = 0; y < kHeight; ++y) {
+        const bool is_replaced = y == 5 || y == 6;
+        for (std::uint32_t x = 0; x < kWidth; ++x)
+            EXPECT_EQ(drawn[y * kWidth + x].y, is_replaced ? 8.0f : kBackground[1]) << x << ' ' << y;
     }
 }
 

@@ -9,6 +9,7 @@
 #include "interop/specialization.h"
 #include "lib/camera.glsl"
 #include "lib/film.glsl"
+#include "lib/tile.glsl"
 
 layout(local_size_x = TILE_SIZE * TILE_SIZE) in;
 
@@ -18,17 +19,9 @@ layout(push_constant, scalar) uniform Push { FramePush push; };
 
 layout(scalar, set = METHOD_SET, binding = BINDING_FILM) restrict buffer Film { FilmPixel film[]; };
 
-/// Position in a tile of the invocation: neighbours in a subgroup form compact blocks (4x2 of 8, 8x4 of 32), because
-/// rays of neighbouring pixels take similar ways.
-uvec2 position_in_tile(uint invocation) {
-    return uvec2((invocation & 3u) | ((invocation >> 1) & 4u), ((invocation >> 2) & 1u) | ((invocation >> 3) & 6u));
-}
-
 /// Pixel of this invocation within the band.
 uvec2 pixel_in_band() {
-    uint tiles_per_row = (push.width + TILE_SIZE - 1u) / TILE_SIZE;
-    uint tile = push.first_tile + gl_WorkGroupID.x;
-    return uvec2(tile % tiles_per_row, tile / tiles_per_row) * TILE_SIZE + position_in_tile(gl_LocalInvocationID.x);
+    return pixel_in_tiles(push.first_tile + gl_WorkGroupID.x, push.width, gl_LocalInvocationID.x);
 }
 
 vec3 camera_direction(vec2 pixels) {

@@ -2,12 +2,10 @@
 // What a pixel of a view shows of a curved mirror: what its maps hold.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "kernels/planar/mirrored_pixel.glsl"
+#include "kernels/planar/mirrored_throughput.glsl"
 #include "kernels/raster/map_lookup.glsl"
 #include "kernels/raster/mapped_lobe.glsl"
 #include "lib/lobes/mirror.glsl"
-
-layout(location = 1) out vec4 drawn_throughput;
 
 void main() {
     if (!waits_for_this_view()) discard;

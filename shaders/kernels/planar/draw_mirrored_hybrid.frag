@@ -3,12 +3,10 @@
 // place than the tolerance, and what a ray meets elsewhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "kernels/hybrid/deferred_lobe.glsl"
 #include "kernels/hybrid/hybrid_light.glsl"
 #include "kernels/hybrid/look_up_by_place.glsl"
-#include "kernels/hybrid/traced_lobe.glsl"
-#include "kernels/planar/mirrored_pixel.glsl"
-
-layout(location = 1) out vec4 drawn_throughput;
+#include "kernels/planar/deferred_pixel.glsl"
 
 void main() {
     if (!waits_for_this_view()) discard;
@@ -19,4 +17,5 @@ void main() {
     if (is_mirror(surface)) radiance += hybrid_light(surface, wo, view.reflections, state);
     drawn = with_light(radiance, state);
     drawn_throughput = vec4(0.0);
+    write_deferred();
 }

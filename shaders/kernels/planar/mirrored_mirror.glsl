@@ -3,12 +3,11 @@
 #ifndef UTSURI_KERNELS_PLANAR_MIRRORED_MIRROR
 #define UTSURI_KERNELS_PLANAR_MIRRORED_MIRROR
 
-#include "kernels/planar/mirrored_pixel.glsl"
+#include "kernels/planar/mirrored_throughput.glsl"
 #include "kernels/raster/drawn_light.glsl"
 
-layout(location = 1) out vec4 drawn_throughput;
-
-void draw_mirrored_mirror() {
+/// @returns whether the mirror's view is not drawn
+bool draw_mirrored_mirror() {
     if (!waits_for_this_view()) discard;
     vec3 wo = -normalize_any_scale(drawn_from_eye);
     Surface surface;
@@ -19,6 +18,7 @@ void draw_mirrored_mirror() {
     drawn = with_light(radiance, state);
     vec3 reflectance = mirrors ? specular_reflectance(surface, abs(dot(surface.ns, wo))) : vec3(0.0);
     drawn_throughput = vec4(with_reflectance(reflectance), 0.0);
+    return mirrors && view.next == VIEW_TRUNCATED;
 }
 
 #endif

@@ -3,10 +3,8 @@
 #ifndef UTSURI_KERNELS_PLANAR_MIRRORED_SCENE
 #define UTSURI_KERNELS_PLANAR_MIRRORED_SCENE
 
-#include "kernels/planar/mirrored_pixel.glsl"
+#include "kernels/planar/mirrored_throughput.glsl"
 #include "kernels/raster/drawn_light.glsl"
-
-layout(location = 1) out vec4 drawn_throughput;
 
 void draw_mirrored_scene() {
     if (!waits_for_this_view()) discard;

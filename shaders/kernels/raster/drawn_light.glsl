@@ -9,7 +9,7 @@
 #include "kernels/raster/shown_surface.glsl"
 #include "lib/reflectance.glsl"
 
-/// What the glossy lobe of the surface shown reflects: mapped_lobe.glsl or hybrid/traced_lobe.glsl.
+/// What the glossy lobe of the surface shown reflects: mapped_lobe.glsl or hybrid/deferred_lobe.glsl.
 /// @param reflections that lie between the surface and the eye
 /// @param state of the pixel, see pixel_state.glsl, changed where rays were needed
 vec3 lobe_light(Surface surface, vec3 wo, uint reflections, inout float state);

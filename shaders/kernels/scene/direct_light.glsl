@@ -9,9 +9,6 @@
 #include "lib/reservoir.glsl"
 #include "lib/sampler.glsl"
 
-/// Pairs of sample dimensions that one surface uses.
-const uint DIMENSIONS_PER_SURFACE = 4u;
-
 /// All lobes with a width.
 const uint WIDE_LOBES = (1u << LOBE_DIFFUSE) | (1u << LOBE_GLOSSY);
 

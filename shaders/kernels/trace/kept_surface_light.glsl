@@ -14,7 +14,7 @@ vec3 surface_light(Surface surface, Hit hit, vec3 wo, vec3 throughput, uint key,
     float cos_o = abs(dot(surface.ns, wo));
     if (!HAS_GLOSSY || !is_glossy(surface)) return diffuse_reflectance(surface, cos_o) * kept;
     vec3 radiance = diffuse_under_lobe(surface, lost_under_lobe(cos_o)) * kept;
-    float chance = survival(throughput * specular_reflectance(surface, cos_o));
+    float chance = survival(throughput * specular_reflectance(surface, cos_o), LEAST_THROUGHPUT);
     if (sample_2d(key, index, dimension + 3u).y >= chance) return radiance;
     return radiance + direct_light(surface, wo, 1u << LOBE_GLOSSY, key, index, dimension, excluded_instance, rays) / chance;
 }

@@ -7,22 +7,17 @@
 #include "kernels/scene/direct_light.glsl"
 #include "lib/lobes/glossy.glsl"
 #include "lib/lobes/mirror.glsl"
+#include "lib/roulette.glsl"
 
 /// What light a surface sends out, its own emission and its reflections excepted. The kernel defines it.
 /// @param throughput what of it arrives at the eye: it is not worth a ray where that is next to nothing, see survival()
 vec3 surface_light(Surface surface, Hit hit, vec3 wo, vec3 throughput, uint key, uint index, uint dimension,
                    uint excluded_instance, inout uint rays);
 
-/// Chains that bring less than this share of the light they meet go on by chance, in proportion to what they bring (Russian
-/// roulette, Arvo and Kirk 1990): in a room of dielectrics, which reflect 4 %, chains would else go on to the max depth for
-/// next to nothing. What goes on brings this share at least; its noise stays below the square root of what is brought on
+/// Chains that bring less than this share of the light they meet go on by chance: in a room of dielectrics, which reflect 4 %,
+/// chains would else go on to the max depth for next to nothing. Their noise stays below the square root of what is brought on
 /// average times this share, a few percent of the light met.
 const float LEAST_THROUGHPUT = 1.0 / 32.0;
-
-/// The chance to go on.
-float survival(vec3 throughput) {
-    return min(1.0, max_component(throughput) / LEAST_THROUGHPUT);
-}
 
 /// A ray and what it brings along.
 struct Chain {
@@ -73,7 +68,7 @@ vec3 follow_chain(Chain chain, uint max_depth, uint key, uint index, inout Count
         throughput *= lobe.throughput;
         if (by_lobe) {
             if (throughput == vec3(0.0)) break;
-            float chance = survival(throughput);
+            float chance = survival(throughput, LEAST_THROUGHPUT);
             if (sample_2d(key, index, dimension + 3u).x >= chance) break;
             throughput /= chance;
         }

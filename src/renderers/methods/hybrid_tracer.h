@@ -7,8 +7,8 @@
 
 namespace utsuri {
 
-/// Whether drawing a picture of a scene, before any of its mirrors, takes longer than tracing it: whether a
-/// large scene has fewer than four pixels for each triangle.
+/// Whether drawing a picture of a scene, before any of its mirrors, takes longer than tracing it: whether it
+/// has fewer pixels than triangles, and more than some thousand of these.
 bool costs_less_traced(const SceneData& data, const RenderSettings& settings);
 
 /// What the hybrid method is there: it follows every ray.

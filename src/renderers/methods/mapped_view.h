@@ -24,6 +24,9 @@ class MappedView : public ViewDrawer {
     double prepare_view() override;
     void record(const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) const override;
     [[nodiscard]] const Attachment& picture() const override { return drawer_.picture(); }
+    [[nodiscard]] DeferredPicture deferred_picture() const override {
+        return drawer_.deferred_picture(camera_info());
+    }
     /// Need MapSettings::predicts_errors, where the kind of map keeps no distances.
     [[nodiscard]] std::vector<PredictedError> predict_errors() override;
     [[nodiscard]] std::vector<MeasuredError> measure_errors() override;

@@ -19,11 +19,10 @@ namespace utsuri {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-/// Triangles that are drawn in the time of one ray: a view whose window is smaller than its share of the
-/// scene's triangles costs more than rays through the window do. On lavapipe, where a traced pixel of the
-/// office takes 3.3 us and a triangle, its depth first, 0.4 us; a rough guess is good enough, as both are
-/// right.
-constexpr std::uint64_t kTrianglesPerRay = 8;
+/// Triangles that are drawn in the time in which a pixel is traced: a view with more triangles than pixels in
+/// its window costs more than rays through the window do. On lavapipe both take 1.3 us or more; a rough guess
+/// is good enough, as both are right.
+constexpr std::uint64_t kTrianglesPerRay = 1;
 
 /// Whether the eye sees a plane mirror at a pixel, by the state that lib/pixel_state.glsl describes.
 bool shows_plane_mirror(float state) {

@@ -33,6 +33,9 @@ class PlanarView : public ViewDrawer {
     double prepare_view() override { return 0.0; }
     void record(const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) const override;
     [[nodiscard]] const Attachment& picture() const override { return drawer_.picture(); }
+    [[nodiscard]] DeferredPicture deferred_picture() const override {
+        return drawer_.deferred_picture(views_);
+    }
     /// Of MapKind::hybrid only. Plane mirrors show what rays would, and nothing off its place; what their
     /// views do not show could be off by anything, were it not traced.
     [[nodiscard]] std::vector<PredictedError> predict_errors() override;

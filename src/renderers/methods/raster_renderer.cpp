@@ -41,6 +41,9 @@ void RasterRenderer::make_view(PreparedMaps* previous) {
     } else {
         view_ = std::make_unique<MappedView>(device_, data_, *maps_, method_.kind, settings_, map_settings_);
     }
+    if (defers_reflections(data_, method_.kind))
+        deferred_.emplace(device_, maps_->specialization(), maps_->bindings(), settings_.width,
+                          settings_.height);
     samples_.emplace(device_, settings_.width, settings_.height,
                      *maps_->bindings().at(interop::BINDING_MAP_STATES));
     view_->set_camera(camera_);
@@ -49,6 +52,7 @@ void RasterRenderer::make_view(PreparedMaps* previous) {
 void RasterRenderer::warm_up() {
     const Stopwatch stopwatch;
     view_->warm_up();
+    if (deferred_) deferred_->warm_up();
     statistics_.compile_seconds += stopwatch.seconds();
 }
 
@@ -71,6 +75,7 @@ void RasterRenderer::update(const SceneChange& change, Progress& progress) {
     if (change.geometry || change.lights) count_light(light_->cost());
     // What draws reads buffers of the maps.
     samples_.reset();
+    deferred_.reset();
     view_.reset();
     const std::unique_ptr<PreparedMaps> previous = std::move(maps_);
     make_view(previous.get());
@@ -90,7 +95,11 @@ void RasterRenderer::capture_first_view(Progress& progress) {
     for (const glm::vec2& corner : kCorners) {
         do {
             if (progress.cancelled()) throw Interrupted();
-            draw_at(corner);
+            // What is left to rays looks nothing up.
+            interop::FrameInfo frame = frame_settings();
+            frame.jitter = corner;
+            device_.run("draw a frame",
+                        [&](const vk::raii::CommandBuffer& commands) { view_->record(commands, frame); });
         } while (maps_->capture_missing(statistics_, progress));
     }
     statistics_.prepare_seconds += stopwatch.seconds();
@@ -109,18 +118,19 @@ interop::FrameInfo RasterRenderer::frame_settings() const {
     return frame;
 }
 
-void RasterRenderer::draw_at(const glm::vec2& jitter) {
-    interop::FrameInfo frame = frame_settings();
-    frame.jitter = jitter;
-    device_.run("draw a frame",
-                [&](const vk::raii::CommandBuffer& commands) { view_->record(commands, frame); });
+void RasterRenderer::record_picture(const vk::raii::CommandBuffer& commands,
+                                    const interop::FrameInfo& frame) const {
+    view_->record(commands, frame);
+    if (deferred_) deferred_->record(commands, view_->deferred_picture());
 }
 
 bool RasterRenderer::draw_frame() {
     view_->prepare_view();
     Progress silent;
     do {
-        draw_at({0.5f, 0.5f});
+        device_.run("draw a frame", [&](const vk::raii::CommandBuffer& commands) {
+            record_picture(commands, frame_settings());
+        });
     } while (maps_->capture_missing(statistics_, silent));
     return true;
 }
@@ -140,7 +150,7 @@ FrameCounts RasterRenderer::render(Film& film, std::uint32_t count, Progress& pr
     counts.gpu_seconds = view_->prepare_view();
     const interop::FrameInfo frame = frame_settings();
     const auto record = [&](const vk::raii::CommandBuffer& commands, const interop::FrameInfo& of_sample) {
-        view_->record(commands, of_sample);
+        record_picture(commands, of_sample);
     };
     SilentProgress capturing(progress);
     samples_->begin(film);

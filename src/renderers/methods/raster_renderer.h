@@ -57,8 +57,8 @@ class RasterRenderer : public Renderer {
     void capture_first_view(Progress& progress);
     [[nodiscard]] bool tells_errors() const;
     [[nodiscard]] interop::FrameInfo frame_settings() const;
-    /// Draws the present view with its samples at a place in their pixels, in [0, 1)^2.
-    void draw_at(const glm::vec2& jitter);
+    /// Records one picture of the present view, with the rays that it leaves to follow.
+    void record_picture(const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) const;
 
     Device& device_;
     const SceneData& data_;
@@ -70,6 +70,7 @@ class RasterRenderer : public Renderer {
     Camera camera_;
     std::unique_ptr<PreparedMaps> maps_;
     std::unique_ptr<ViewDrawer> view_;
+    std::optional<DeferredTracer> deferred_;  ///< of a kind of map that leaves reflections to rays
     std::optional<DrawnSamples> samples_;
 };
 

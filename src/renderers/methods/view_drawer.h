@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/reflection/raster/deferred_tracer.h"
 #include "renderers/reflection/raster/reflection_error.h"
 
 #include "gpu/attachment.h"
@@ -30,6 +31,9 @@ class ViewDrawer {
     virtual void record(const vk::raii::CommandBuffer& commands, const interop::FrameInfo& frame) const = 0;
     /// What record() draws into, with the state of each pixel in the fourth channel: lib/pixel_state.glsl.
     [[nodiscard]] virtual const Attachment& picture() const = 0;
+
+    /// What the last record() left to rays. Only where it defers_reflections().
+    [[nodiscard]] virtual DeferredPicture deferred_picture() const = 0;
 
     /// See Renderer. picture() is of the present view, a sample at the centre of each pixel.
     [[nodiscard]] virtual std::vector<PredictedError> predict_errors() = 0;

@@ -2,6 +2,7 @@
 #include "renderers/reflection/planar/mirrored_view_drawer.h"
 
 #include "renderers/film/frame_camera.h"
+#include "renderers/reflection/raster/deferred_tracer.h"
 #include "renderers/scene/scene_constants.h"
 
 #include "interop/bindings.h"
@@ -13,12 +14,12 @@
 #include "kernels/draw_mirrored_depth_frag.h"
 #include "kernels/draw_mirrored_depth_vert.h"
 #include "kernels/draw_mirrored_environment_frag.h"
+#include "kernels/draw_mirrored_hybrid_environment_frag.h"
 #include "kernels/draw_mirrored_hybrid_frag.h"
 #include "kernels/draw_mirrored_hybrid_mirror_frag.h"
 #include "kernels/draw_mirrored_hybrid_scene_frag.h"
 #include "kernels/draw_mirrored_mirror_frag.h"
 #include "kernels/draw_mirrored_scene_frag.h"
-#include "kernels/draw_mirrored_traced_mirror_frag.h"
 #include "kernels/draw_predicted_curved_vert.h"
 #include "kernels/draw_scene_vert.h"
 
@@ -38,13 +39,14 @@ MirroredViewDrawer::MirroredViewDrawer(Device& device, const SceneData& data, co
                                        const Reflectors& curved, MapKind kind,
                                        const std::vector<interop::MapFace>& faces,
                                        const Specialization& specialization, const Bindings& bindings)
-    : MirroredViewDrawer(device, data, list_mirrored_view_triangles(data, mirrors, curved, kind), kind, faces,
+    : MirroredViewDrawer(device, data, list_mirrored_view_triangles(data, mirrors, curved), kind, faces,
                          specialization, bindings) {}
 
 MirroredViewDrawer::MirroredViewDrawer(Device& device, const SceneData& data, MirroredViewTriangles triangles,
                                        MapKind kind, const std::vector<interop::MapFace>& faces,
                                        const Specialization& specialization, const Bindings& bindings)
     : device_(device),
+      defers_(defers_reflections(data, kind)),
       triangles_(std::move(triangles)),
       list_(make_buffer<std::uint32_t>(device, triangles_.listed, "draw list")),
       listed_reflectors_(
@@ -52,45 +54,36 @@ MirroredViewDrawer::MirroredViewDrawer(Device& device, const SceneData& data, Mi
       eye_depth_(make_pass("draw_depth", kernels::draw_depth_vert, {}, DepthTest::nearer,
                            depth_constants(specialization), bindings)) {
     using Stage = std::span<const std::uint32_t>;
+    const Stage scene =
+        defers_ ? Stage(kernels::draw_mirrored_hybrid_scene_frag) : Stage(kernels::draw_mirrored_scene_frag);
     for (const DrawBatch& batch : triangles_.batches) {
-        const bool traces_lobe = traces_lobes(kind, batch.features);
-        const Stage fragment = traces_lobe ? Stage(kernels::draw_mirrored_hybrid_scene_frag)
-                                           : Stage(kernels::draw_mirrored_scene_frag);
         batches_.push_back(
-            {make_pass("draw_mirrored_scene", kernels::draw_scene_vert, fragment, DepthTest::equal,
-                       drawing_constants(specialization, batch.features, traces_lobe), bindings),
+            {make_pass("draw_mirrored_scene", kernels::draw_scene_vert, scene, DepthTest::equal,
+                       with_features(specialization, batch.features), bindings),
              {batch.first, batch.count}});
     }
-    const bool traces = kind == MapKind::hybrid;
     if (triangles_.curved.count > 0) {
         const Stage vertex =
-            traces ? Stage(kernels::draw_predicted_curved_vert) : Stage(kernels::draw_curved_vert);
+            defers_ ? Stage(kernels::draw_predicted_curved_vert) : Stage(kernels::draw_curved_vert);
         const Stage fragment =
-            traces ? Stage(kernels::draw_mirrored_hybrid_frag) : Stage(kernels::draw_mirrored_curved_frag);
+            defers_ ? Stage(kernels::draw_mirrored_hybrid_frag) : Stage(kernels::draw_mirrored_curved_frag);
         curved_.emplace(make_pass(
             "draw_mirrored_curved", vertex, fragment, DepthTest::equal,
-            with_faces(drawing_constants(specialization, triangles_.curved_features, traces), faces.size()),
-            bindings));
+            with_faces(with_features(specialization, triangles_.curved_features), faces.size()), bindings));
     }
     if (triangles_.mirrors.empty()) return;
     view_depth_.emplace(make_pass("draw_mirrored_depth", kernels::draw_mirrored_depth_vert,
                                   kernels::draw_mirrored_depth_frag, DepthTest::nearer,
                                   depth_constants(specialization), bindings));
-    const bool traces_lobe = traces_lobes(kind, triangles_.mirror_features);
-    const Stage mirror = traces_lobe ? Stage(kernels::draw_mirrored_hybrid_mirror_frag)
-                                     : Stage(kernels::draw_mirrored_mirror_frag);
+    const Stage mirror = defers_ ? Stage(kernels::draw_mirrored_hybrid_mirror_frag)
+                                 : Stage(kernels::draw_mirrored_mirror_frag);
     mirrors_.emplace(make_pass("draw_mirrored_mirror", kernels::draw_scene_vert, mirror, DepthTest::equal,
-                               drawing_constants(specialization, triangles_.mirror_features, traces_lobe),
-                               bindings));
-    if (traces) {
-        traced_mirrors_.emplace(make_pass("draw_mirrored_traced_mirror", kernels::draw_scene_vert,
-                                          kernels::draw_mirrored_traced_mirror_frag, DepthTest::equal,
-                                          specialization, bindings));
-    }
+                               with_features(specialization, triangles_.mirror_features), bindings));
     if (!data.requirements.environment) return;
-    environment_.emplace(make_pass("draw_mirrored_environment", kernels::draw_environment_vert,
-                                   kernels::draw_mirrored_environment_frag, DepthTest::equal, specialization,
-                                   bindings));
+    const Stage environment = defers_ ? Stage(kernels::draw_mirrored_hybrid_environment_frag)
+                                      : Stage(kernels::draw_mirrored_environment_frag);
+    environment_.emplace(make_pass("draw_mirrored_environment", kernels::draw_environment_vert, environment,
+                                   DepthTest::equal, specialization, bindings));
 }
 
 Bindings MirroredViewDrawer::all_bindings(Bindings bindings) const {
@@ -105,7 +98,7 @@ MirroredViewDrawer::Pass MirroredViewDrawer::make_pass(
     // Depth is drawn first, so that a pixel shades only what it shows.
     const bool writes_colour = depth == DepthTest::equal;
     RasterPipeline pipeline(device_, name, vertex, fragment, specialization, sizeof(interop::ViewPush),
-                            {depth, 0.0f}, {kColours, writes_colour});
+                            {depth, 0.0f}, {drawn_formats(defers_, true), writes_colour});
     BindingSet set = pipeline.bind(all_bindings(bindings));
     return {std::move(pipeline), std::move(set)};
 }
@@ -116,14 +109,13 @@ void MirroredViewDrawer::warm_up(const vk::raii::CommandBuffer& commands) const 
     eye_depth_.pipeline.draw(commands, eye_depth_.bindings, nothing, 0, 1);
     for (const Batch& batch : batches_)
         batch.pass.pipeline.draw(commands, batch.pass.bindings, nothing, batch.range.first, 1);
-    for (const std::optional<Pass>* pass :
-         {&curved_, &view_depth_, &mirrors_, &traced_mirrors_, &environment_}) {
+    for (const std::optional<Pass>* pass : {&curved_, &view_depth_, &mirrors_, &environment_}) {
         if (*pass) (*pass)->pipeline.draw(commands, (*pass)->bindings, nothing, 0, 1);
     }
 }
 
 void MirroredViewDrawer::draw(const vk::raii::CommandBuffer& commands, const std::vector<MirroredView>& views,
-                              std::uint32_t index, std::uint32_t max_depth) const {
+                              std::uint32_t index) const {
     const MirroredView& view = views[index];
     limit_to(commands, view.window);
     interop::ViewPush push{};
@@ -139,7 +131,7 @@ void MirroredViewDrawer::draw(const vk::raii::CommandBuffer& commands, const std
     if (curved_)
         curved_->pipeline.draw(commands, curved_->bindings, push, triangles_.curved.first,
                                triangles_.curved.count);
-    draw_mirrors(commands, view, push, max_depth);
+    draw_mirrors(commands, view, push);
     if (environment_ && view.mirror != interop::NONE)
         environment_->pipeline.draw(commands, environment_->bindings, push, 0, 1);
 }
@@ -158,7 +150,7 @@ void MirroredViewDrawer::draw_depth(const vk::raii::CommandBuffer& commands, con
 }
 
 void MirroredViewDrawer::draw_mirrors(const vk::raii::CommandBuffer& commands, const MirroredView& view,
-                                      interop::ViewPush push, std::uint32_t max_depth) const {
+                                      interop::ViewPush push) const {
     auto shown = view.shown.begin();
     auto unseen = view.unseen.begin();
     for (std::uint32_t mirror = 0; mirror < triangles_.mirrors.size(); ++mirror) {
@@ -169,11 +161,8 @@ void MirroredViewDrawer::draw_mirrors(const vk::raii::CommandBuffer& commands, c
         push.next = interop::VIEW_TRUNCATED;
         if (shown != view.shown.end() && shown->mirror == mirror)
             push.next = interop::VIEW_OF_EYE + (shown++)->view;
-        const bool is_traced =
-            traced_mirrors_ && push.next == interop::VIEW_TRUNCATED && view.reflections < max_depth;
-        const Pass& pass = is_traced ? *traced_mirrors_ : *mirrors_;
         const TriangleRange& range = triangles_.mirrors[mirror];
-        pass.pipeline.draw(commands, pass.bindings, push, range.first, range.count);
+        mirrors_->pipeline.draw(commands, mirrors_->bindings, push, range.first, range.count);
     }
 }
 

@@ -17,13 +17,10 @@ namespace utsuri {
 /// where they show a plane mirror.
 class MirroredViewDrawer {
   public:
-    /// Colour attachments that are drawn into: what pixels show and wait for, and the throughput of mirrors.
-    static constexpr std::uint32_t kColours = 2;
-
     /// @param bindings of scene, kept light, maps, and of what pixels showed before this view:
     /// BINDING_DRAWN, BINDING_THROUGHPUT
-    /// @param kind of the maps: proxy, or hybrid with a tolerance of place, which follows rays where maps are
-    /// not right enough and where a mirror's view is not drawn
+    /// @param kind of the maps: proxy, or hybrid with a tolerance of place, which leaves to rays where maps
+    /// are not right enough and where a mirror's view is not drawn
     /// @param faces of the maps
     MirroredViewDrawer(Device& device, const SceneData& data, const PlaneMirrors& mirrors,
                        const Reflectors& curved, MapKind kind, const std::vector<interop::MapFace>& faces,
@@ -32,12 +29,11 @@ class MirroredViewDrawer {
     /// Records a draw of one triangle by each pipeline, so that drivers compile them.
     void warm_up(const vk::raii::CommandBuffer& commands) const;
 
-    /// Records the draws, inside draw_into().
+    /// Records the draws, inside draw_into() attachments of drawn_formats().
     /// @param views of the frame
     /// @param index which of them
-    /// @param max_depth reflections after which chains are cut
     void draw(const vk::raii::CommandBuffer& commands, const std::vector<MirroredView>& views,
-              std::uint32_t index, std::uint32_t max_depth) const;
+              std::uint32_t index) const;
 
   private:
     struct Pass {
@@ -58,9 +54,10 @@ class MirroredViewDrawer {
     void draw_depth(const vk::raii::CommandBuffer& commands, const MirroredView& view,
                     const interop::ViewPush& push) const;
     void draw_mirrors(const vk::raii::CommandBuffer& commands, const MirroredView& view,
-                      interop::ViewPush push, std::uint32_t max_depth) const;
+                      interop::ViewPush push) const;
 
     Device& device_;
+    bool defers_;  ///< reflections to rays
     MirroredViewTriangles triangles_;
     Buffer list_;
     Buffer listed_reflectors_;
@@ -69,7 +66,6 @@ class MirroredViewDrawer {
     std::optional<Pass> curved_;  ///< like the others below only where the scene requires it
     std::optional<Pass> view_depth_;
     std::optional<Pass> mirrors_;
-    std::optional<Pass> traced_mirrors_;  ///< whose views are not drawn
     std::optional<Pass> environment_;
 };
 

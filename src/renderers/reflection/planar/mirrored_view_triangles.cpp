@@ -4,8 +4,8 @@
 namespace utsuri {
 
 MirroredViewTriangles list_mirrored_view_triangles(const SceneData& scene, const PlaneMirrors& mirrors,
-                                                   const Reflectors& curved, MapKind kind) {
-    DrawList matte = plan_draws(scene, kind);
+                                                   const Reflectors& curved) {
+    DrawList matte = plan_draws(scene);
     MirroredViewTriangles result;
     result.listed = std::move(matte.triangles);
     result.batches = std::move(matte.batches);

@@ -32,6 +32,6 @@ struct MirroredViewTriangles {
 
 /// @param curved reflectors with maps: the instances of all triangles in no plane
 MirroredViewTriangles list_mirrored_view_triangles(const SceneData& scene, const PlaneMirrors& mirrors,
-                                                   const Reflectors& curved, MapKind kind);
+                                                   const Reflectors& curved);
 
 }  // namespace utsuri

@@ -23,6 +23,7 @@ PlanarDrawer::PlanarDrawer(Device& device, const SceneData& data, const PlaneMir
       background_(background_of(data)),
       colour_(device, width, height, kColourFormat, "drawn picture"),
       throughput_(device, width, height, kColourFormat, "throughput of the drawn picture"),
+      deferred_(make_deferred(device, defers_reflections(data, kind), width, height)),
       depth_(device, width, height, kDepthFormat, "depth of the drawn picture"),
       drawn_before_(device, picture_bytes(width, height), "picture before a view"),
       throughput_before_(device, picture_bytes(width, height), "throughput before a view"),
@@ -34,11 +35,16 @@ Bindings PlanarDrawer::with_pictures(Bindings bindings) const {
     return bindings;
 }
 
+std::vector<ColourTarget> PlanarDrawer::targets(const std::optional<std::array<float, 4>>& background) const {
+    std::vector targets = {ColourTarget{colour_, background}, ColourTarget{throughput_, background}};
+    if (!deferred_) return targets;
+    targets.push_back({*deferred_, background ? std::optional(kNothingDeferred) : std::nullopt});
+    return targets;
+}
+
 void PlanarDrawer::warm_up() {
-    const std::array<ColourTarget, MirroredViewDrawer::kColours> targets = {
-        ColourTarget{colour_, background_}, ColourTarget{throughput_, background_}};
     device_.run("compile pipelines", [&](const vk::raii::CommandBuffer& commands) {
-        draw_into(commands, targets, depth_, [&] { drawer_.warm_up(commands); });
+        draw_into(commands, targets(background_), depth_, [&] { drawer_.warm_up(commands); });
     });
 }
 
@@ -52,14 +58,19 @@ void PlanarDrawer::record(const vk::raii::CommandBuffer& commands, const std::ve
             throughput_.copy_rows(commands, 0, throughput_.height(), throughput_before_);
         }
         const std::uint32_t reflections = views[next].reflections;
-        const std::array<ColourTarget, MirroredViewDrawer::kColours> targets = {
-            ColourTarget{colour_, background}, ColourTarget{throughput_, background}};
-        draw_into(commands, targets, depth_, [&] {
+        draw_into(commands, targets(background), depth_, [&] {
             for (; next < views.size() && views[next].reflections == reflections; ++next)
-                drawer_.draw(commands, views, next, frame.max_depth);
+                drawer_.draw(commands, views, next);
         });
         background.reset();
     }
+}
+
+DeferredPicture PlanarDrawer::deferred_picture(const std::vector<MirroredView>& views) const {
+    std::vector<interop::DeferredView> deferred;
+    for (const MirroredView& view : views)
+        deferred.push_back({glm::vec3(view.eye.position), view.reflections});
+    return {colour_, deferred_.value(), &throughput_, std::move(deferred)};
 }
 
 }  // namespace utsuri

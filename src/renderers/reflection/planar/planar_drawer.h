@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderers/reflection/planar/mirrored_view_drawer.h"
+#include "renderers/reflection/raster/deferred_tracer.h"
 
 namespace utsuri {
 
@@ -29,15 +30,22 @@ class PlanarDrawer {
                 const interop::FrameInfo& frame) const;
     /// What it draws into: see lib/pixel_state.glsl for its fourth channel.
     [[nodiscard]] const Attachment& picture() const { return colour_; }
+    /// What the last record() left to rays. Only where it defers_reflections().
+    /// @param views of that record()
+    [[nodiscard]] DeferredPicture deferred_picture(const std::vector<MirroredView>& views) const;
 
   private:
     [[nodiscard]] Bindings with_pictures(Bindings bindings) const;
+    /// @param background what all are cleared to; none keeps what they hold
+    [[nodiscard]] std::vector<ColourTarget> targets(
+        const std::optional<std::array<float, 4>>& background) const;
 
     Device& device_;
     const Buffer& frame_;
     std::array<float, 4> background_;
     Attachment colour_;
     Attachment throughput_;
+    std::optional<Attachment> deferred_;
     Attachment depth_;
     Buffer drawn_before_;
     Buffer throughput_before_;

@@ -5,11 +5,10 @@
 
 namespace utsuri {
 
-DrawList plan_draws(const SceneData& scene, MapKind kind) {
+DrawList plan_draws(const SceneData& scene) {
     std::map<SurfaceFeatures, std::vector<std::uint32_t>> groups;
     for (std::uint32_t t = 0; t < scene.triangle_infos.size(); ++t) {
-        SurfaceFeatures features = scene.requirements.surfaces[scene.triangle_infos[t].material];
-        features.textured = features.textured || traces_lobes(kind, features);
+        const SurfaceFeatures features = scene.requirements.surfaces[scene.triangle_infos[t].material];
         if (!features.mirror) groups[features].push_back(t);
     }
     DrawList list;
@@ -19,14 +18,6 @@ DrawList plan_draws(const SceneData& scene, MapKind kind) {
         list.triangles.insert(list.triangles.end(), triangles.begin(), triangles.end());
     }
     return list;
-}
-
-bool traces_lobes(MapKind kind, const SurfaceFeatures& features) {
-    return kind == MapKind::hybrid && features.glossy;
-}
-
-Specialization drawing_constants(const Specialization& scene, const SurfaceFeatures& features, bool traces) {
-    return traces ? scene : with_features(scene, features);
 }
 
 }  // namespace utsuri

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/reflection/reflectors/map_kind.h"
 #include "renderers/scene/scene_constants.h"
 #include "renderers/scene/scene_data.h"
 
@@ -24,14 +23,6 @@ struct DrawList {
     std::vector<DrawBatch> batches;
 };
 
-/// @param kind of map; where it traces glossy lobes they are one group, as rays meet textures anyway
-DrawList plan_draws(const SceneData& scene, MapKind kind);
-
-/// Whether glossy lobes of surfaces are traced, not looked up in maps.
-bool traces_lobes(MapKind kind, const SurfaceFeatures& features);
-
-/// What a pipeline is told that draws surfaces with these features.
-/// @param traces whether it sends rays, which meet surfaces of all kinds
-Specialization drawing_constants(const Specialization& scene, const SurfaceFeatures& features, bool traces);
+DrawList plan_draws(const SceneData& scene);
 
 }  // namespace utsuri

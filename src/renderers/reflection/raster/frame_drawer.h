@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/reflection/raster/deferred_tracer.h"
 #include "renderers/reflection/raster/draw_list.h"
 #include "renderers/reflection/raster/reflector_drawer.h"
 #include "renderers/scene/gpu_scene.h"
@@ -11,6 +12,8 @@
 #include "interop/raster.h"
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace utsuri {
@@ -35,6 +38,9 @@ class FrameDrawer {
                 const interop::FrameInfo& frame) const;
     /// What it draws into.
     [[nodiscard]] const Attachment& picture() const { return colour_; }
+    /// What the last record() left to rays. Only where it defers_reflections().
+    /// @param camera of that record()
+    [[nodiscard]] DeferredPicture deferred_picture(const interop::CameraInfo& camera) const;
 
   private:
     /// One pipeline and the triangles it draws.
@@ -49,14 +55,16 @@ class FrameDrawer {
                 const Specialization& specialization, const Bindings& bindings,
                 const ReflectorDrawer* reflectors, std::uint32_t width, std::uint32_t height);
     [[nodiscard]] Bindings with_draw_list(Bindings bindings) const;
-    std::vector<Batch> make_batches(const std::vector<DrawBatch>& planned, MapKind kind,
+    std::vector<Batch> make_batches(const std::vector<DrawBatch>& planned,
                                     const Specialization& specialization, const Bindings& bindings);
+    void draw_cleared(const vk::raii::CommandBuffer& commands, const std::function<void()>& record) const;
 
     Device& device_;
     const ReflectorDrawer* reflectors_;
     const Buffer& frame_;
     std::array<float, 4> background_;
     Attachment colour_;
+    std::optional<Attachment> deferred_;
     Attachment depth_;
     Buffer triangles_;
     std::uint32_t triangle_count_;

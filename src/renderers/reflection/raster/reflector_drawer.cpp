@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/raster/reflector_drawer.h"
 
+#include "renderers/reflection/raster/deferred_tracer.h"
 #include "renderers/scene/scene_constants.h"
 
 #include "base/check.h"
@@ -131,7 +132,8 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
                      sizeof(interop::ReflectVerticesPush)),
       vertex_set_(vertex_kernel_.bind(with_polygons({}))),
       whole_(device, "draw_reflectors", whole_vertex(kind), whole_fragment(kind, tolerance),
-             specialise(specialization, kind, faces.size()), sizeof(interop::ViewPush), whole_depth(kind)),
+             specialise(specialization, kind, faces.size()), sizeof(interop::ViewPush), whole_depth(kind),
+             {drawn_formats(defers_reflections(data, kind), false)}),
       whole_set_(whole_.bind(with_polygons(bindings))) {
     for (Buffer* buffer : {&whole_pieces_, &cut_pieces_, &cut_corners_, &draw_arguments_})
         buffer->fill_with_zero();
@@ -139,19 +141,14 @@ ReflectorDrawer::ReflectorDrawer(Device& device, const SceneData& data, const Re
         clipping_.emplace(make_clipping(
             add_constants(specialization, features_, interop::MAP_KIND_PIECES, faces.size()), bindings));
     } else {
-        depth_.emplace(make_depth_pass(depth_constants(specialization), bindings));
+        depth_.emplace(make_depth_pass(depth_constants(specialization),
+                                       drawn_formats(defers_reflections(data, kind), false), bindings));
     }
 }
 
 Specialization ReflectorDrawer::specialise(const Specialization& others, MapKind kind,
                                            std::size_t faces) const {
-    Specialization constants = add_constants(others, features_, whole_map_kind(kind), faces);
-    // Rays meet surfaces of all kinds.
-    if (kind == MapKind::hybrid) {
-        constants[interop::SPEC_HAS_TEXTURES] = others.at(interop::SPEC_HAS_TEXTURES);
-        constants[interop::SPEC_HAS_GLOSSY] = others.at(interop::SPEC_HAS_GLOSSY);
-    }
-    return constants;
+    return add_constants(others, features_, whole_map_kind(kind), faces);
 }
 
 Bindings ReflectorDrawer::with_polygons(Bindings others) const {
@@ -169,9 +166,10 @@ Bindings ReflectorDrawer::with_polygons(Bindings others) const {
 }
 
 ReflectorDrawer::DepthPass ReflectorDrawer::make_depth_pass(const Specialization& specialization,
+                                                            const std::vector<vk::Format>& formats,
                                                             const Bindings& bindings) const {
     RasterPipeline pipeline(device_, "draw_reflector_depth", kernels::draw_reflector_depth_vert, {},
-                            specialization, sizeof(interop::ViewPush));
+                            specialization, sizeof(interop::ViewPush), {}, {formats});
     BindingSet set = pipeline.bind(with_polygons(bindings));
     return {std::move(pipeline), std::move(set)};
 }

@@ -86,6 +86,7 @@ class ReflectorDrawer {
     };
 
     [[nodiscard]] DepthPass make_depth_pass(const Specialization& specialization,
+                                            const std::vector<vk::Format>& formats,
                                             const Bindings& bindings) const;
     [[nodiscard]] TwoRuns make_two_runs(const std::string& name, std::span<const std::uint32_t> spirv,
                                         Specialization specialization, const Kernel& prefix_sum,
