@@ -28,8 +28,7 @@ TriangleSampling triangle_sampling(BvhTriangle vertices, uint material, vec3 pos
     vec3 q2 = vertices.v2 - position;
     vec3 middle = (q0 + q1 + q2) / 3.0;
     float longest = max(dot(q1 - q0, q1 - q0), max(dot(q2 - q1, q2 - q1), dot(q0 - q2, q0 - q2)));
-    // Shadows alone are told as well by points that are spread over the light.
-    if (SUMS_LIGHTS || dot(middle, middle) > NEAR * NEAR * longest) return sampling;
+    if (dot(middle, middle) > NEAR * NEAR * longest) return sampling;
     sampling.seen = spherical_triangle(q0, q1, q2);
     bool is_told = sampling.seen.volume >= LEAST_VOLUME && sampling.seen.solid_angle >= LEAST_SOLID_ANGLE;
     if (!is_told) return sampling;
