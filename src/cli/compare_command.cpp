@@ -13,6 +13,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace utsuri {
 namespace {
@@ -23,7 +24,7 @@ struct CompareOptions {
     std::string scene;
     std::string folder;
     std::string light = "direct";
-    std::string methods;
+    std::optional<std::string> methods;
     std::uint32_t samples = 16;
     ReferenceOptions reference;
     std::optional<double> fail_above;

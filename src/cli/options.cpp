@@ -211,7 +211,7 @@ void add_map_options(CLI::App& command, PictureOptions& options) {
     command
         .add_option(
             "--probes", options.most_probes,
-            "Points of each reflective or rough object to capture maps from, at most; more than one only "
+            "Points of each reflective or glossy object to capture maps from, at most; more than one only "
             "where that is predicted to lower the error")
         ->check(CLI::Range(1u, kMostProbes))
         ->capture_default_str();

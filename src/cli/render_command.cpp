@@ -137,7 +137,8 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--spp", options.samples, "Samples per pixel, or the most with --time or --noise [16]")
         ->check(CLI::Range(1u, kMostSamples));
-    command.add_option("--time", options.time, "Time for samples, such as 500ms, 10s or 5min");
+    command.add_option("--time", options.time,
+                       "Time for samples, such as 500ms, 10s or 5min; a bare number is seconds");
     command
         .add_option("--noise", options.noise, "Relative standard error of the pixels to reach, such as 0.01")
         ->check(finite_range(kLeastNoise, kMostNoise));

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 
@@ -51,11 +52,20 @@ Session make_session(const CommonOptions& options, const LightSettings& light) {
     return Session({options.device, wanted_validation(), light});
 }
 
-std::vector<Method> listed_methods(const LightMethod& light, const std::string& reflections) {
-    if (reflections.empty()) return all_methods(light);
+std::vector<Method> listed_methods(const LightMethod& light, const std::optional<std::string>& reflections) {
+    if (!reflections) return all_methods(light);
     std::vector<Method> methods;
-    for (const std::string& name : split_list(reflections))
-        methods.push_back({&light, &find_reflection(name)});
+    for (const std::string& name : split_list(*reflections)) {
+        const Method method{&light, &find_reflection(name)};
+        const bool is_known = std::any_of(methods.begin(), methods.end(), [&](const Method& other) {
+            return other.reflection == method.reflection;
+        });
+        if (is_known)
+            throw UsageError("use methods", fmt::format("'{}'", *reflections), name + " is listed twice");
+        methods.push_back(method);
+    }
+    if (methods.empty())
+        throw UsageError("use methods", "of an empty list", "expected names such as trace,hybrid");
     return methods;
 }
 
@@ -68,7 +78,8 @@ SceneSession::SceneSession(const CommonOptions& common, const PictureOptions& pi
                            const std::filesystem::path& scene, const std::filesystem::path& folder)
     : loaded_(load_scene(scene)),
       camera_(choose_camera(loaded_.scene, picture.camera)),
-      session_(make_session(common, picture.light_settings())),
+      light_settings_(picture.light_settings()),
+      session_(make_session(common, light_settings_)),
       progress_(common.quiet) {
     make_output_folder(folder);
     check_json(common);
@@ -79,6 +90,7 @@ SceneSession::SceneSession(const CommonOptions& common, const PictureOptions& pi
 void SceneSession::describe(Comparison& comparison, const std::string& scene,
                             const std::string& command_line) const {
     comparison.scene = scene;
+    comparison.light_settings = light_settings_;
     comparison.command = command_line;
     comparison.import_seconds = loaded_.import_seconds;
     comparison.notes = loaded_.notes;

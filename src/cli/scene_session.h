@@ -9,6 +9,7 @@
 #include "session/session.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,10 +34,9 @@ Validation wanted_validation();
 /// A session on the device that the options name.
 Session make_session(const CommonOptions& options, const LightSettings& light);
 
-/// The methods of a light that a user lists by their reflections, separated by commas; all if the list is
-/// empty.
-/// @throws UsageError if there is none of such a name
-std::vector<Method> listed_methods(const LightMethod& light, const std::string& reflections);
+/// The methods of a light that a user lists by their reflections, separated by commas; all without a list.
+/// @throws UsageError if there is none of such a name, or a name is listed twice
+std::vector<Method> listed_methods(const LightMethod& light, const std::optional<std::string>& reflections);
 
 /// Where a command writes what it finds about a scene: what the user wants, else a folder named after command
 /// and scene.
@@ -63,6 +63,7 @@ class SceneSession {
   private:
     LoadedScene loaded_;
     const Camera& camera_;  ///< of the loaded scene
+    LightSettings light_settings_;
     Session session_;
     ProgressLine progress_;
 };

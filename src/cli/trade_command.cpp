@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <optional>
 
 namespace utsuri {
 namespace {
@@ -26,7 +27,7 @@ struct TradeOptions {
     std::string scene;
     std::string folder;
     std::string light = "direct";
-    std::string methods;
+    std::optional<std::string> methods;
     std::uint32_t most_samples = kTradeSamples;
     ReferenceOptions reference;
 };

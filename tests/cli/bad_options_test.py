@@ -140,6 +140,8 @@ class BadWords(BadOptions):
             self.refuse(("magic'", "trace, polygon-map, sphere-map, cube-map, proxy-map, distance-map, planar, hybrid"),
                         "compare", "scene.glb", "--methods", methods)
             self.refuse(("magic'",), "trade", "scene.glb", "--methods", methods)
+        self.refuse(("empty list",), "compare", "scene.glb", "--methods", "")
+        self.refuse(("trace is listed twice",), "compare", "scene.glb", "--methods", "trace,hybrid,trace")
         self.refuse(("'smell'", "depth, position, normal"),
                     "render", "scene.glb", "-o", "picture.exr", "--aov", "depth,smell")
         self.refuse(("--metric", "psnr", "rel_mse"), "trade", "scene.glb", "--metric", "psnr")

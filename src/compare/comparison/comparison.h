@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compare/comparison/reflection_errors.h"
+#include "renderers/light/light_settings.h"
 #include "renderers/methods/method.h"
 
 #include "base/error.h"
@@ -61,7 +62,8 @@ struct Comparison {
     DeviceSummary device;
     RenderSettings settings;
     const LightMethod* light = &light_methods().front();
-    double exposure = 0.0;  ///< stops, of the display images
+    LightSettings light_settings;  ///< of the light kept on surfaces
+    double exposure = 0.0;         ///< stops, of the display images
     double import_seconds = 0.0;
     double build_seconds = 0.0;     ///< BVH
     std::uint64_t scene_bytes = 0;  ///< device memory of the scene

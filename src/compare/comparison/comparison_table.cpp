@@ -121,9 +121,13 @@ std::string comparison_table(const Comparison& comparison) {
     const Image& picture = comparison.reference.image;
     std::string text = fmt::format(
         "{} on {} ({})\n{} triangles, {} x {} pixels, {} of them reflective; mirrors "
-        "followed {} times at most\n\n",
+        "followed {} times at most\n{} light{}\n\n",
         comparison.scene, comparison.device.name, comparison.device.driver, comparison.triangles,
-        picture.width, picture.height, comparison.reflective_pixels, comparison.settings.max_depth);
+        picture.width, picture.height, comparison.reflective_pixels, comparison.settings.max_depth,
+        comparison.light->name,
+        comparison.settings.kept_light
+            ? ", in traced pictures and the reference, too, from where it is kept on surfaces"
+            : "");
     text += fmt::format(kRow, "cost", "samples", "prepare", "compile", "frame", "a sample", "memory", "rays",
                         "traced", "non-fin.");
     text += cost_row("reference", comparison.reference);

@@ -72,7 +72,7 @@ function fillCostTable() {
         ...columns.map((c, i) => cell(c, c.value(result), index === 0 ? undefined : best[i]))));
     byId("cost").append(headRow(columns, "Method"), make("tbody", {}, ...rows));
     byId("cost-notes").append(
-        make("li", {}, `Highlighted: the best method of a column. The reference is ${data.reference.name}.`));
+        make("li", {}, `Highlighted: the best method of a column. The reference is ${data.reference.name}${data.kept_light ? ", lit from the light kept on surfaces" : ""}.`));
     byId("cost-legend").append(...definitions(costColumns.map((c) => [c.title, c.hint])));
 }
 
@@ -213,7 +213,7 @@ function fillFacts() {
         device.name, `${data.width} × ${data.height} pixels`,
         ...(methodSamples ? [`${methodSamples} samples a pixel`] : []),
         `reference ${whole(reference.settings.samples)} samples`,
-        `specular chains of at most ${data.specular_depth} reflections`, `${data.light} light`].join(" · ");
+        `specular chains of at most ${data.specular_depth} reflections`, `${data.light} light${data.kept_light ? ", kept on surfaces in all pictures" : ""}`].join(" · ");
     byId("interrupted").hidden = !data.interrupted;
     byId("failed").hidden = data.failed.length === 0;
     byId("failed-list").append(...data.failed.map((f) => make("li", {}, `${f.name}: ${f.message}`)));
