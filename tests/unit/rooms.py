@@ -40,7 +40,7 @@ SOURCE_ROOMS = [
     Room(REFLECTION + "glossy", "maps convolved with glossy lobes",
          BELOW_REFLECTION + ["renderers/light"] + reflection("reflectors", "proxies", "maps")),
     Room(REFLECTION + "raster", "drawing: frames, reflectors, predicted errors", BELOW_REFLECTION + reflection("reflectors")),
-    Room(REFLECTION + "planar", "plane mirrors and their images", BELOW_REFLECTION + reflection("reflectors", "raster")),
+    Room(REFLECTION + "planar", "plane mirrors and the views in them", BELOW_REFLECTION + reflection("reflectors", "raster")),
     Room("renderers/methods", "light x reflection: the list of methods, and what renders each",
          BELOW_REFLECTION + ["renderers/light"] + reflection("maps", "distances", "glossy", "raster", "planar")),
     Room("session", "the library's front door: a device, a scene on it, pictures of it",

@@ -62,7 +62,7 @@ class PreparedMaps {
     SurfaceLight& light_;
     RenderSettings settings_;
     MapKind kind_;
-    std::vector<interop::ProxyPlane> proxy_planes_;  ///< of reflection maps, then of rough ones
+    std::vector<interop::ProxyPlane> proxy_planes_;  ///< of reflection maps, then of glossy ones
     ReflectionMaps maps_;
     std::optional<DistanceMaps> distances_;
     std::optional<RadianceBounds> radiance_bounds_;

@@ -23,7 +23,7 @@ struct RasterMethod {
 };
 
 /// Draws a scene by the raster pipeline, lit from the light kept on its surfaces, with what mirrors reflect
-/// in maps, images and rays: all of that is made beforehand, or when a picture first needs it.
+/// in maps, mirrored views and rays: all of that is made beforehand, or when a picture first needs it.
 class RasterRenderer : public Renderer {
   public:
     RasterRenderer(const RendererInput& input, const RasterMethod& method, const RenderSettings& settings,
@@ -70,7 +70,7 @@ class RasterRenderer : public Renderer {
     Camera camera_;
     std::unique_ptr<PreparedMaps> maps_;
     std::unique_ptr<ViewDrawer> view_;
-    std::optional<DeferredTracer> deferred_;  ///< of a kind of map that leaves reflections to rays
+    std::optional<DeferredTracer> deferred_;  ///< where reflections are left to rays
     std::optional<DrawnSamples> samples_;
 };
 

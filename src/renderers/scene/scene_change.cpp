@@ -89,7 +89,7 @@ std::string differing_requirement(const Step& step) {
         return "it now has surfaces that shine, or none any more";
     if (step.textures.laid_out) return "its textures have other sizes";
     if (b.surfaces != a.surfaces)
-        return "a material now needs other features: it became rough, a mirror or neither";
+        return "a material now needs other features: it became glossy, a mirror or neither";
     if (b.max_depth != a.max_depth) return "mirrors now face each other, or no longer do";
     if (has_other_triangles(step) || b.reflective_instances != a.reflective_instances)
         return "instances have other meshes or materials";

@@ -172,7 +172,7 @@ TEST_F(SceneChanges, OfWhatIsMadeFromTheSceneRebuildIt) {
                   s.lights.push_back(s.lights[0]);
               }),
               "its environment was switched on or off");
-    EXPECT_THAT(reason([](Scene& s) { s.materials[0] = mirror(); }), HasSubstr("it became rough, a mirror"));
+    EXPECT_THAT(reason([](Scene& s) { s.materials[0] = mirror(); }), HasSubstr("it became glossy, a mirror"));
     EXPECT_EQ(reason([](Scene& s) { s.meshes[0] = icosphere(glm::vec3(0), 1, 1); }),
               "it now has 82 triangles where it had 4");
     EXPECT_THAT(reason([](Scene& s) { s.instances[0].material = 1; }), HasSubstr("lights that shine"));
@@ -283,7 +283,7 @@ TEST_F(ChangedTextures, AreGoneThroughAgainForWhatTheSceneRequires) {
     EXPECT_TRUE(data_.requirements.surfaces[0].glossy);
     EXPECT_FALSE(data_.requirements.surfaces[0].mirror);
     scene_.textures[0].rgba[4 * 17 + 1] = 0;  // green, the roughness of a texel
-    EXPECT_THAT(change().reason, HasSubstr("it became rough, a mirror"));
+    EXPECT_THAT(change().reason, HasSubstr("it became glossy, a mirror"));
     EXPECT_TRUE(data_.requirements.surfaces[0].mirror);
     expect_same_buffers(data_, prepare_scene_data(scene_));
 }

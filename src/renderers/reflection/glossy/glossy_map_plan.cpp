@@ -104,10 +104,10 @@ GlossyMapPlan plan_glossy_maps(const SceneData& data, std::uint32_t most_size,
     GlossyMapPlan plan;
     plan.infos.resize(data.requirements.instances);
     plan.source_sizes.resize(data.requirements.instances);
-    const std::vector<std::uint32_t>& rough = data.requirements.glossy_instances;
-    const std::vector<interop::ProbeRange> ranges = probe_ranges(probes, rough.size());
-    for (std::size_t r = 0; r < rough.size(); ++r) {
-        const std::uint32_t instance = rough[r];
+    const std::vector<std::uint32_t>& glossy = data.requirements.glossy_instances;
+    const std::vector<interop::ProbeRange> ranges = probe_ranges(probes, glossy.size());
+    for (std::size_t r = 0; r < glossy.size(); ++r) {
+        const std::uint32_t instance = glossy[r];
         plan.infos[instance] = describe_levels(data.requirements.roughness[material_of(data, instance)]);
         plan.infos[instance].first_probe = ranges[r].first;
         plan.infos[instance].probes = ranges[r].count;

@@ -25,9 +25,9 @@ GlossyMapPlan placed(const Device& device, const SceneData& data, const GlossyMa
                      std::vector<interop::ProxyPlane>& proxy_planes) {
     // Lobes are traced: traced_lobe.glsl.
     if (settings.kind == MapKind::hybrid) return {};
-    const std::vector<std::uint32_t>& rough = data.requirements.glossy_instances;
+    const std::vector<std::uint32_t>& glossy = data.requirements.glossy_instances;
     const std::vector<Probe> probes =
-        place_probes(data, rough, settings.kind, {settings.most_probes, settings.capture_point});
+        place_probes(data, glossy, settings.kind, {settings.most_probes, settings.capture_point});
     GlossyMapPlan plan = plan_glossy_maps(data, settings.size, probes);
     const std::uint64_t limit = device.summary().storage_range_bytes;
     if (plan.levels.empty()) return plan;
@@ -37,7 +37,7 @@ GlossyMapPlan placed(const Device& device, const SceneData& data, const GlossyMa
     const std::uint64_t bytes = largest_buffer(plan);
     if (bytes > limit) {
         throw UsageError(
-            "make maps for rough surfaces",
+            "make maps for glossy surfaces",
             fmt::format("of at most {} texels from {} capture points", settings.size, probes.size()),
             fmt::format("they need {} MiB and {} can see {} MiB of a buffer; use a smaller --map-size{}",
                         bytes >> 20, device.summary().name, limit >> 20,
@@ -45,7 +45,7 @@ GlossyMapPlan placed(const Device& device, const SceneData& data, const GlossyMa
     }
     if (settings.kind != MapKind::proxy) return plan;
     for (std::size_t i = 0; i < probes.size(); ++i) {
-        plan.probes[i].proxy = add_proxy(proxy_planes, find_proxy(data, rough[probes[i].reflector],
+        plan.probes[i].proxy = add_proxy(proxy_planes, find_proxy(data, glossy[probes[i].reflector],
                                                                   probes[i].capture_point, settings.proxy));
     }
     return plan;
