@@ -50,7 +50,7 @@ SOURCE_ROOMS = [
     Room("import/scene", "glTF to Scene", SCENE + ["image_io", "import/document"]),
     Room("compare/page", "what the pages and files written have in common", ["base"]),
     Room("compare/comparison", "methods measured against a reference: table, .json, report.html",
-         PICTURES + ["compare/page", "renderers/film", "renderers/methods", "session"]),
+         PICTURES + ["compare/page", "renderers/film", "renderers/light", "renderers/methods", "session"]),
     Room("compare/trade", "time against error over settings: sweep, front, table, .json, page",
          PICTURES + ["compare/page", "compare/comparison"]),
     Room("cli", "one file per subcommand, exit codes; no algorithm",
