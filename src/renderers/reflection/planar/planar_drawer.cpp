@@ -68,6 +68,7 @@ void PlanarDrawer::record(const vk::raii::CommandBuffer& commands, const std::ve
 
 DeferredPicture PlanarDrawer::deferred_picture(const std::vector<MirroredView>& views) const {
     std::vector<interop::DeferredView> deferred;
+    deferred.reserve(views.size());
     for (const MirroredView& view : views)
         deferred.push_back({glm::vec3(view.eye.position), view.reflections});
     return {colour_, deferred_.value(), &throughput_, std::move(deferred)};
