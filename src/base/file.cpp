@@ -13,11 +13,47 @@ namespace utsuri {
 namespace fs = std::filesystem;
 namespace {
 
-/// A name beside `path` that no other run uses.
-fs::path unused_neighbour(const fs::path& path, std::string_view purpose) {
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// A name that no other run uses.
+std::string unused_name(std::string_view stem, std::string_view extension) {
     std::random_device random;
-    return path.parent_path() /
-           fmt::format("{}.{}-{:08x}{}", path.stem().string(), purpose, random(), path.extension().string());
+    return fmt::format("{}-{:08x}{}", stem, random(), extension);
+}
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& problem) {
+    throw InputError("write", fmt::format("'{}'", path.string()), problem);
+}
+
+/// Whether it is there and no file: a pipe, say, or a terminal.
+bool is_special(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+bool can_write_in(const fs::path& folder) {
+    const fs::path probe = folder / unused_name(".utsuri-write-probe", "");
+    if (!std::ofstream(probe)) return false;
+    std::error_code error;
+    fs::remove(probe, error);
+    return true;
+}
+
+/// @throws InputError where no file can be, whatever the folder allows
+void refuse_bad_place(const fs::path& path) {
+    const fs::path folder = folder_of(path);
+    std::error_code error;
+    if (!fs::exists(folder, error))
+        refuse(path,
+               fmt::format("the folder '{}' does not exist; create it or choose another", folder.string()));
+    if (!fs::is_directory(folder, error)) refuse(path, fmt::format("'{}' is not a folder", folder.string()));
+    if (fs::is_directory(path, error)) refuse(path, "is a folder, expected a file name");
+    // Opened at its end, a file stays as it is.
+    if (fs::is_regular_file(path, error) && !std::ofstream(path, std::ios::app))
+        refuse(path, "is there and may not be changed");
 }
 
 }  // namespace
@@ -46,38 +82,23 @@ std::vector<std::byte> read_file(const fs::path& path, std::string_view operatio
 }
 
 void check_writable(const fs::path& path) {
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    const auto refuse = [&](const std::string& problem) {
-        throw InputError("write", fmt::format("'{}'", path.string()), problem);
-    };
-    std::error_code error;
-    if (!fs::exists(folder, error))
-        refuse(fmt::format("the folder '{}' does not exist; create it or choose another", folder.string()));
-    if (!fs::is_directory(folder)) refuse(fmt::format("'{}' is not a folder", folder.string()));
-    const fs::file_status status = fs::status(path, error);
-    if (fs::is_directory(status)) refuse("is a folder, expected a file name");
-    if (fs::is_regular_file(status)) {
-        // Opened at its end, a file stays as it is.
-        if (!std::ofstream(path, std::ios::app)) refuse("is there and may not be changed");
-    }
-    if (fs::exists(status) && !fs::is_regular_file(status)) return;
-    const fs::path probe = unused_neighbour(path, "write-probe");
-    if (!std::ofstream(probe))
-        refuse(fmt::format("permission denied: nothing can be written in '{}'", folder.string()));
-    fs::remove(probe, error);
+    refuse_bad_place(path);
+    const fs::path folder = folder_of(path);
+    if (!is_special(path) && !can_write_in(folder))
+        refuse(path, fmt::format("permission denied: nothing can be written in '{}'", folder.string()));
 }
 
 void write_file_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-    check_writable(path);
+    refuse_bad_place(path);
+    if (is_special(path)) return write(path);
     std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (fs::exists(status) && !fs::is_regular_file(status)) return write(path);
     const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
-    const fs::path temporary = unused_neighbour(target, "partial");
+    const fs::path temporary =
+        folder_of(target) / unused_name(target.stem().string() + ".partial", target.extension().string());
     try {
         write(temporary);
         fs::rename(temporary, target, error);
-        if (error) throw InputError("write", fmt::format("'{}'", path.string()), error.message());
+        if (error) refuse(path, error.message());
     } catch (...) {
         fs::remove(temporary, error);
         throw;
@@ -104,14 +125,10 @@ void make_output_folder(const fs::path& folder) {
                          fmt::format("{}; choose a folder that can be made, with -o",
                                      error ? error.message() : "a file of that name is in the way"));
     }
-    const fs::path probe = folder / ".utsuri-write-probe";
-    std::ofstream stream(probe);
-    if (!stream) {
+    if (!can_write_in(folder)) {
         throw InputError("write into output folder", fmt::format("'{}'", folder.string()),
                          "permission denied; choose a folder that can be written, with -o");
     }
-    stream.close();
-    fs::remove(probe, error);
 }
 
 }  // namespace utsuri

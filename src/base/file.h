@@ -21,7 +21,7 @@ void check_writable(const std::filesystem::path& path);
 /// failure or a kill never leaves half a file under the final name. The temporary is removed on failure. A
 /// link stays, and what it leads to is replaced. What is no file, such as a pipe or a terminal, is written
 /// into.
-/// @throws InputError if check_writable() does, and whatever `write` throws
+/// @throws InputError where no file can be, and whatever `write` throws
 void write_file_atomically(const std::filesystem::path& path,
                            const std::function<void(const std::filesystem::path& temporary)>& write);
 

@@ -67,55 +67,47 @@ Attachment::Attachment(Attachment&& other) noexcept = default;
 Attachment& Attachment::operator=(Attachment&& other) noexcept = default;
 Attachment::~Attachment() = default;
 
-void Attachment::hand_over(const vk::raii::CommandBuffer& commands, vk::PipelineStageFlags2 from,
-                           vk::AccessFlags2 done, vk::ImageLayout old_layout, vk::PipelineStageFlags2 to,
-                           vk::AccessFlags2 next, vk::ImageLayout new_layout) const {
-    const vk::ImageMemoryBarrier2 barrier(from, done, to, next, old_layout, new_layout,
-                                          VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, *image_,
-                                          {aspect_, 0, 1, 0, 1});
-    commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
+void Attachment::copy(const vk::raii::CommandBuffer& commands, vk::AccessFlags2 access,
+                      vk::ImageLayout layout, const std::function<void()>& record) const {
+    using Stage = vk::PipelineStageFlagBits2;
+    using Access = vk::AccessFlagBits2;
+    const auto change_layout = [&](Stage from, vk::AccessFlags2 done, vk::ImageLayout before, Stage to,
+                                   vk::AccessFlags2 next, vk::ImageLayout after) {
+        const vk::ImageMemoryBarrier2 barrier(from, done, to, next, before, after, VK_QUEUE_FAMILY_IGNORED,
+                                              VK_QUEUE_FAMILY_IGNORED, *image_, {aspect_, 0, 1, 0, 1});
+        commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
+    };
+    // Whoever wrote or read the buffer has to be done.
+    const vk::MemoryBarrier2 after_others(Stage::eAllCommands, Access::eMemoryWrite, Stage::eCopy,
+                                          Access::eTransferRead | Access::eTransferWrite);
+    commands.pipelineBarrier2(vk::DependencyInfo({}, after_others));
+    change_layout(Stage::eAllCommands, Access::eMemoryWrite, vk::ImageLayout::eAttachmentOptimal,
+                  Stage::eCopy, access, layout);
+    record();
+    change_layout(Stage::eCopy, access, layout, Stage::eAllCommands,
+                  Access::eMemoryRead | Access::eMemoryWrite, vk::ImageLayout::eAttachmentOptimal);
 }
 
-vk::BufferImageCopy Attachment::whole_rows(std::uint32_t first_row, std::uint32_t rows) const {
+vk::BufferImageCopy Attachment::whole_rows(std::uint32_t first_row, std::uint32_t rows,
+                                           const Buffer& buffer) const {
+    UTSURI_CHECK_LE(std::uint64_t{width_} * rows * 16, buffer.size());
     return {0, 0, 0, {aspect_, 0, 0, 1}, {0, static_cast<std::int32_t>(first_row), 0}, {width_, rows, 1}};
 }
 
 void Attachment::copy_rows(const vk::raii::CommandBuffer& commands, std::uint32_t first_row,
                            std::uint32_t rows, const Buffer& target) const {
-    using Stage = vk::PipelineStageFlagBits2;
-    using Access = vk::AccessFlagBits2;
-    using Layout = vk::ImageLayout;
-    UTSURI_CHECK_LE(std::uint64_t{width_} * rows * 16, target.size());
-    // Whoever read the target's old contents has to be done.
-    const vk::MemoryBarrier2 writable(Stage::eAllCommands, Access::eMemoryWrite, Stage::eCopy,
-                                      Access::eTransferWrite);
-    commands.pipelineBarrier2(vk::DependencyInfo({}, writable));
-    hand_over(commands, Stage::eColorAttachmentOutput | Stage::eCopy,
-              Access::eColorAttachmentWrite | Access::eTransferWrite, Layout::eAttachmentOptimal,
-              Stage::eCopy, Access::eTransferRead, Layout::eTransferSrcOptimal);
-    commands.copyImageToBuffer(*image_, Layout::eTransferSrcOptimal, target.handle(),
-                               whole_rows(first_row, rows));
-    hand_over(commands, Stage::eCopy, Access::eTransferRead, Layout::eTransferSrcOptimal,
-              Stage::eColorAttachmentOutput, Access::eColorAttachmentWrite, Layout::eAttachmentOptimal);
+    constexpr vk::ImageLayout kSource = vk::ImageLayout::eTransferSrcOptimal;
+    copy(commands, vk::AccessFlagBits2::eTransferRead, kSource, [&] {
+        commands.copyImageToBuffer(*image_, kSource, target.handle(), whole_rows(first_row, rows, target));
+    });
 }
 
 void Attachment::replace_rows(const vk::raii::CommandBuffer& commands, std::uint32_t first_row,
                               std::uint32_t rows, const Buffer& source) const {
-    using Stage = vk::PipelineStageFlagBits2;
-    using Access = vk::AccessFlagBits2;
-    using Layout = vk::ImageLayout;
-    UTSURI_CHECK_LE(std::uint64_t{width_} * rows * 16, source.size());
-    const vk::MemoryBarrier2 readable(Stage::eAllCommands, Access::eMemoryWrite, Stage::eCopy,
-                                      Access::eTransferRead);
-    commands.pipelineBarrier2(vk::DependencyInfo({}, readable));
-    hand_over(commands, Stage::eColorAttachmentOutput | Stage::eCopy,
-              Access::eColorAttachmentWrite | Access::eTransferRead, Layout::eAttachmentOptimal, Stage::eCopy,
-              Access::eTransferWrite, Layout::eTransferDstOptimal);
-    commands.copyBufferToImage(source.handle(), *image_, Layout::eTransferDstOptimal,
-                               whole_rows(first_row, rows));
-    hand_over(commands, Stage::eCopy, Access::eTransferWrite, Layout::eTransferDstOptimal,
-              Stage::eColorAttachmentOutput | Stage::eCopy,
-              Access::eColorAttachmentWrite | Access::eTransferRead, Layout::eAttachmentOptimal);
+    constexpr vk::ImageLayout kTarget = vk::ImageLayout::eTransferDstOptimal;
+    copy(commands, vk::AccessFlagBits2::eTransferWrite, kTarget, [&] {
+        commands.copyBufferToImage(source.handle(), *image_, kTarget, whole_rows(first_row, rows, source));
+    });
 }
 
 }  // namespace utsuri

@@ -4,6 +4,7 @@
 #include "gpu/buffer.h"
 #include "gpu/device_memory.h"
 
+#include <functional>
 #include <string>
 
 namespace utsuri {
@@ -40,11 +41,12 @@ class Attachment {
                       const Buffer& source) const;
 
   private:
-    /// Records that what a stage does with the image comes before what another does with it.
-    void hand_over(const vk::raii::CommandBuffer& commands, vk::PipelineStageFlags2 from,
-                   vk::AccessFlags2 done, vk::ImageLayout old_layout, vk::PipelineStageFlags2 to,
-                   vk::AccessFlags2 next, vk::ImageLayout new_layout) const;
-    [[nodiscard]] vk::BufferImageCopy whole_rows(std::uint32_t first_row, std::uint32_t rows) const;
+    /// Records a copy from or to a buffer, ordered against all that is recorded before and after.
+    /// @param access to the image, in a layout that allows it
+    void copy(const vk::raii::CommandBuffer& commands, vk::AccessFlags2 access, vk::ImageLayout layout,
+              const std::function<void()>& record) const;
+    [[nodiscard]] vk::BufferImageCopy whole_rows(std::uint32_t first_row, std::uint32_t rows,
+                                                 const Buffer& buffer) const;
 
     std::uint32_t width_;
     std::uint32_t height_;

@@ -51,6 +51,19 @@ Mesh long_tube(float radius, float height, float half_length) {
     return mesh;
 }
 
+/// Irradiance on the ground from the triangles of a convex lamp that face the point, each of radiance 1.
+double irradiance_of_facing(const Mesh& lamp, const glm::dvec3& position) {
+    double sum = 0.0;
+    for (const glm::uvec3& triangle : lamp.triangles) {
+        const std::array<glm::dvec3, 3> corners = {lamp.positions[triangle.x], lamp.positions[triangle.y],
+                                                   lamp.positions[triangle.z]};
+        const glm::dvec3 out = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        if (glm::dot(out, position - corners[0]) > 0.0)
+            sum += std::abs(polygon_irradiance(corners, position, {0, 1, 0}));
+    }
+    return sum;
+}
+
 class LampShadows : public DeviceTest {
   protected:
     /// Holds light on the ground, the first instance at y = 0, against what is expected at each place as far
@@ -94,17 +107,8 @@ TEST_F(LampShadows, ABulbOfManyTrianglesLightsWithoutNoise) {
     add(scene, ground(1.0f), lambert(glm::vec3(0.5f)));
     const Mesh bulb = icosphere({0, 0.4f, 0}, 0.2f, 3);
     add(scene, bulb, emitter(glm::vec3(1.0f)));
-    expect_on_ground(scene, 64, kActsAsPoint, [&](const glm::dvec3& position) {
-        double sum = 0.0;
-        for (const glm::uvec3& triangle : bulb.triangles) {
-            const std::array<glm::dvec3, 3> corners = {bulb.positions[triangle.x], bulb.positions[triangle.y],
-                                                       bulb.positions[triangle.z]};
-            const glm::dvec3 out = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-            if (glm::dot(out, position - corners[0]) > 0.0)
-                sum += std::abs(polygon_irradiance(corners, position, {0, 1, 0}));
-        }
-        return sum / kPi;
-    });
+    expect_on_ground(scene, 64, kActsAsPoint,
+                     [&](const glm::dvec3& position) { return irradiance_of_facing(bulb, position) / kPi; });
 }
 
 // A fluorescent tube of 24 triangles 0.9 m long, 17 mm above the ground, which shine both ways: its far half
@@ -119,17 +123,7 @@ TEST_F(LampShadows, ALampNearerThanItIsLong) {
     add(scene, tube, light);
     expect_on_ground(
         scene, 256, 4.0 / 16.0,
-        [&](const glm::dvec3& position) {
-            double sum = 0.0;
-            for (const glm::uvec3& triangle : tube.triangles) {
-                const std::array<glm::dvec3, 3> corners = {
-                    tube.positions[triangle.x], tube.positions[triangle.y], tube.positions[triangle.z]};
-                const glm::dvec3 out = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-                if (glm::dot(out, position - corners[0]) > 0.0)
-                    sum += std::abs(polygon_irradiance(corners, position, {0, 1, 0}));
-            }
-            return sum / kPi;
-        },
+        [&](const glm::dvec3& position) { return irradiance_of_facing(tube, position) / kPi; },
         0.4);  // from beyond its ends one sees into it
 }
 

@@ -14,9 +14,7 @@
 const float LEAST_LOBE = 1.0 / 8.0;
 
 vec3 lobe_light(Surface surface, vec3 wo, uint reflections, inout float state) {
-    LobeAlbedo albedo = lobe_albedo(surface, dot(surface.ns, wo));
-    vec3 share = specular_reflectance(surface, 1.0) * albedo.constant + specular_reflectance(surface, 0.0) * albedo.schlick;
-    uint chances = uint(ceil(survival(share, LEAST_LOBE) * float(DEFERRED_CHANCES)));
+    uint chances = uint(ceil(survival(glossy_share(surface, dot(surface.ns, wo)), LEAST_LOBE) * float(DEFERRED_CHANCES)));
     uint dimension = FIRST_SURFACE_DIMENSION + reflections * DIMENSIONS_PER_SURFACE + 3u;
     float u = sample_2d(drawn_sampler_key(), frame.sample_index >> 1, dimension).x;
     if (u * float(DEFERRED_CHANCES) < float(chances)) defer_reflection(DEFERRED_LOBE, max(chances, 1u));

@@ -7,7 +7,7 @@
 
 #include "interop/bindings.h"
 #include "interop/lobe_albedo.h"
-#include "lib/surface.glsl"
+#include "lib/reflectance.glsl"
 
 layout(scalar, set = METHOD_SET, binding = BINDING_LOBE_ALBEDO) readonly restrict buffer LobeAlbedos { LobeAlbedo lobe_albedos[]; };
 
@@ -24,6 +24,12 @@ LobeAlbedo lobe_albedo(Surface surface, float cos_o) {
     return mix_albedo(mix_albedo(lobe_albedos[entry], lobe_albedos[entry + 1u], f.x),
                       mix_albedo(lobe_albedos[entry + LOBE_ALBEDO_SIZE], lobe_albedos[entry + LOBE_ALBEDO_SIZE + 1u], f.x),
                       f.y);
+}
+
+/// Share of the light of a uniform environment that the glossy lobe reflects to a viewer at this cosine.
+vec3 glossy_share(Surface surface, float cos_o) {
+    LobeAlbedo albedo = lobe_albedo(surface, cos_o);
+    return specular_reflectance(surface, 1.0) * albedo.constant + specular_reflectance(surface, 0.0) * albedo.schlick;
 }
 
 /// LobeAlbedo::lost alone: it is the same whatever alpha is, so that one row of the table tells.

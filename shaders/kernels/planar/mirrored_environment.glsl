@@ -9,6 +9,7 @@
 layout(early_fragment_tests) in;
 
 layout(location = 0) out vec4 drawn;
+
 void draw_mirrored_environment() {
     if (!waits_for_this_view()) discard;
     drawn = with_light(lights[ENVIRONMENT_LIGHT].intensity, complete_after(view.reflections));

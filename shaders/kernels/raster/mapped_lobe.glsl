@@ -28,10 +28,7 @@ vec3 punctual_highlights(vec3 wo) {
 }
 
 vec3 lobe_light(Surface surface, vec3 wo, uint reflections, inout float state) {
-    LobeAlbedo albedo = lobe_albedo(surface, dot(surface.ns, wo));
-    vec3 normal = specular_reflectance(surface, 1.0);
-    vec3 grazing = specular_reflectance(surface, 0.0);
-    vec3 radiance = (normal * albedo.constant + grazing * albedo.schlick) * glossy_radiance(surface, wo, drawn_reflection);
+    vec3 radiance = glossy_share(surface, dot(surface.ns, wo)) * glossy_radiance(surface, wo, drawn_reflection);
     if (HAS_PUNCTUAL_LIGHTS) radiance += punctual_highlights(wo);
     return radiance;
 }
