@@ -3,7 +3,7 @@
 // mirror changed, beside preparing it anew. Usage: bench_changes [--json FILE] [--device NAME] [--width W
 // --height H]
 // [--map-size N] [--rounds N] SCENE ...
-#include "import/scene/gltf.h"
+#include "import/conversion/gltf.h"
 
 #include "median.h"
 #include "scene_program.h"

@@ -2,7 +2,7 @@
 // What a frame costs while the eye moves: every method's time to prepare and to render one frame, beside a
 // traced frame. Usage: bench_frames [--json FILE] [--device NAME] [--width W --height H] [--map-size N]
 // [--rounds N] SCENE ...
-#include "import/scene/gltf.h"
+#include "import/conversion/gltf.h"
 
 #include "median.h"
 #include "scene_program.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What it takes to keep light on the surfaces of a scene. Usage: bench_light [--json FILE] [--device NAME]
 // [--rounds N] SCENE ...
-#include "import/scene/gltf.h"
+#include "import/conversion/gltf.h"
 #include "renderers/light/direct/light_cache.h"
 
 #include "base/stopwatch.h"

@@ -3,11 +3,11 @@
 // the scene, beside kernels with everything on, which give the same picture; and the memory of maps for the
 // instances that need them, beside maps for all. Usage: bench_requirements [--json FILE] [--device NAME]
 // [--width W --height H] [--map-size N] [--rounds N] SCENE ...
-#include "import/scene/gltf.h"
+#include "import/conversion/gltf.h"
+#include "renderers/device_scene/scene_triangles.h"
 #include "renderers/methods/method.h"
 #include "renderers/methods/ray_tracer.h"
 #include "renderers/reflection/glossy/glossy_map_plan.h"
-#include "renderers/scene/scene_triangles.h"
 
 #include "base/check.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays per second of the traversal kernel beside Embree, on the same rays and cores in the same run.
 // Usage: bench_tracing [--json FILE] [--device NAME] [--size WxH] [--rounds N] SCENE ...
-#include "import/scene/gltf.h"
-#include "renderers/scene/ray_list.h"
+#include "import/conversion/gltf.h"
+#include "renderers/device_scene/ray_list.h"
 #include "support/embree_oracle.h"
 
 #include "median.h"

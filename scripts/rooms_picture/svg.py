@@ -155,10 +155,17 @@ class PanelPicture:
     def _box_elements(self, name, box):
         top = self.row_top[box.row]
         outside = name in self.panel.outside
+        yield f"<g><title>{escape(self._rule(name))}</title>"
         yield rectangle(box.left, top, box.right, top + self.row_height[box.row], "#ffffff", BOX_EDGE, 6, outside)
         yield text(box.left + BOX_PAD, top + BOX_PAD + 13, name.rpartition("/")[2], NAME_SIZE, NAME_COLOR, "bold")
         for i, line in enumerate(box.text):
             yield text(box.left + BOX_PAD, top + BOX_PAD + NAME_HEIGHT + 12 + i * TEXT_HEIGHT, line, TEXT_SIZE, TEXT_COLOR)
+        yield "</g>"
+
+    def _rule(self, name):
+        """All that a room may include: lines show only what does not follow from others."""
+        entries = self.grid.places[name].room.may_include
+        return f"{name} may include {', '.join(sorted(entries)) if entries else 'no other room'}"
 
 
 def rectangle(left, top, right, bottom, fill, edge, radius, dashed=False):

@@ -4,7 +4,7 @@
 #include "cli/options.h"
 #include "cli/progress_line.h"
 #include "compare/comparison/comparison.h"
-#include "import/scene/gltf.h"
+#include "import/conversion/gltf.h"
 
 #include "session/session.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/session.h"
 
+#include "renderers/device_scene/scene_change.h"
 #include "renderers/film/aov.h"
 #include "renderers/film/frame_camera.h"
 #include "renderers/methods/method.h"
 #include "renderers/methods/renderer_input.h"
-#include "renderers/scene/scene_change.h"
 
 #include "base/error.h"
 #include "scene/check_scene.h"

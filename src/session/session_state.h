@@ -3,12 +3,12 @@
 // stands behind it.
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
+#include "renderers/device_scene/scene_data.h"
 #include "renderers/film/film.h"
 #include "renderers/light/light.h"
 #include "renderers/light/light_settings.h"
 #include "renderers/methods/renderer.h"
-#include "renderers/scene/gpu_scene.h"
-#include "renderers/scene/scene_data.h"
 
 #include "gpu/device.h"
 #include "gpu/vulkan_instance.h"

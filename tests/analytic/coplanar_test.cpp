@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfaces that overlap in one plane: the smaller one shows, in every method and from every eye.
+#include "renderers/device_scene/coplanar_layers.h"
 #include "renderers/film/frame_camera.h"
-#include "renderers/scene/coplanar_layers.h"
 #include "support/light_scenes.h"
 #include "support/methods.h"
 #include "support/test_device.h"

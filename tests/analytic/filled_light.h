@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/scene_triangles.h"
 #include "renderers/light/direct/light_cache.h"
-#include "renderers/scene/scene_triangles.h"
 
 namespace utsuri::test {
 

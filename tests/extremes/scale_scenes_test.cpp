@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // references.md C0 for a scene read from a file: point, spot and area lights, textures, mirrors of three
 // sizes.
-#include "import/scene/gltf.h"
+#include "import/conversion/gltf.h"
 #include "support/methods.h"
 #include "support/test_device.h"
 

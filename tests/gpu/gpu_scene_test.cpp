@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What it takes to keep a scene on the device as it is on the host: as many bytes as differ, and then it is
 // as if it had always been so.
-#include "renderers/scene/gpu_scene.h"
+#include "renderers/device_scene/gpu_scene.h"
 
+#include "renderers/device_scene/ray_list.h"
+#include "renderers/device_scene/scene_buffers.h"
+#include "renderers/device_scene/scene_change.h"
 #include "renderers/methods/ray_tracer.h"
-#include "renderers/scene/ray_list.h"
-#include "renderers/scene/scene_buffers.h"
-#include "renderers/scene/scene_change.h"
 #include "support/scenes.h"
 #include "support/test_device.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/oracle_comparison.h"
 
-#include "renderers/scene/gpu_scene.h"
-#include "renderers/scene/ray_list.h"
+#include "renderers/device_scene/gpu_scene.h"
+#include "renderers/device_scene/ray_list.h"
 #include "support/embree_oracle.h"
 
 #include "base/sampler.h"

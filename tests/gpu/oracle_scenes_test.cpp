@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "import/scene/gltf.h"
+#include "import/conversion/gltf.h"
 #include "support/test_device.h"
 
 #include "gpu/oracle_comparison.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/scene/ray_list.h"
+#include "renderers/device_scene/ray_list.h"
 
 #include "support/scenes.h"
 #include "support/test_device.h"

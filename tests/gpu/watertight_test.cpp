@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // From inside a closed mesh no ray gets out, however precisely it is aimed at edges and vertices.
-#include "renderers/scene/ray_list.h"
+#include "renderers/device_scene/ray_list.h"
 #include "support/scenes.h"
 #include "support/test_device.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Over whole scenes, diffuse surfaces lit from light that is kept on them agree with direct/trace.
-#include "import/scene/gltf.h"
+#include "import/conversion/gltf.h"
 #include "renderers/film/aov.h"
 #include "renderers/film/frame_camera.h"
 #include "renderers/methods/raster_renderer.h"

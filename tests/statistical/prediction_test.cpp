@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Predicted errors of look-ups hold what rays measure: over scenes, methods and random eyes.
-#include "import/scene/gltf.h"
+#include "import/conversion/gltf.h"
 #include "renderers/methods/method.h"
 #include "renderers/methods/raster_renderer.h"
 #include "support/coded_room.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/scene/scene_data.h"
+#include "renderers/device_scene/scene_data.h"
 
 #include "gpu/device.h"
 

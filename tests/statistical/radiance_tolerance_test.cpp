@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What hybrid looks up is as bright as what it traces, give or take the tolerance: over scenes and random
 // eyes.
-#include "import/scene/gltf.h"
+#include "import/conversion/gltf.h"
 #include "renderers/methods/raster_renderer.h"
 #include "support/methods.h"
 #include "support/test_device.h"

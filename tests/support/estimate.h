@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
 #include "renderers/film/film_kernel.h"
 #include "renderers/methods/renderer.h"
-#include "renderers/scene/gpu_scene.h"
 #include "support/scenes.h"
 
 #include "gpu/device.h"

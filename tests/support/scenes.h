@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/scene_data.h"
 #include "renderers/methods/ray_tracer.h"
 #include "renderers/methods/renderer.h"
-#include "renderers/scene/scene_data.h"
 
 #include "base/progress.h"
 #include "image/image.h"

@@ -19,7 +19,7 @@ def reflection(*names):
     return [REFLECTION + name for name in names]
 
 
-BELOW_REFLECTION = CORE + ["renderers/scene", "renderers/film"]
+BELOW_REFLECTION = CORE + ["renderers/device_scene", "renderers/film"]
 
 SOURCE_ROOMS = [
     Room("base", "errors, checks, files, progress, the host's copy of the sampler", []),
@@ -28,11 +28,11 @@ SOURCE_ROOMS = [
     Room("scene", "cameras, materials, lights, textures, instances, Requirements; plain data", ["base", "interop", "geometry"]),
     Room("gpu", "Vulkan: device choice, buffers, kernels, timestamps, dispatch budget; knows nothing of rays",
          ["base", "interop/workgroup.h"]),
-    Room("renderers/scene", "the scene as devices read it: prepared, uploaded, followed through changes", CORE),
-    Room("renderers/film", "sums of samples, the loop over them, what is counted, first hits", CORE + ["renderers/scene"]),
+    Room("renderers/device_scene", "the scene as devices read it: prepared, uploaded, followed through changes", CORE),
+    Room("renderers/film", "sums of samples, the loop over them, what is counted, first hits", CORE + ["renderers/device_scene"]),
     Room("renderers/light", "light that surfaces send out, kept on them, and each light method", BELOW_REFLECTION),
-    Room(REFLECTION + "reflectors", "what reflects, and the points that maps are captured from", CORE + ["renderers/scene"]),
-    Room(REFLECTION + "proxies", "boxes and polyhedra that stand in for the surroundings", CORE + ["renderers/scene"]),
+    Room(REFLECTION + "reflectors", "what reflects, and the points that maps are captured from", CORE + ["renderers/device_scene"]),
+    Room(REFLECTION + "proxies", "boxes and polyhedra that stand in for the surroundings", CORE + ["renderers/device_scene"]),
     Room(REFLECTION + "maps", "polyhedra of maps, captured when looked up, forgotten when what they see changes",
          BELOW_REFLECTION + ["renderers/light"] + reflection("reflectors", "proxies")),
     Room(REFLECTION + "distances", "distances and radiance about capture points, bounded over blocks",
@@ -44,17 +44,17 @@ SOURCE_ROOMS = [
     Room("renderers/methods", "light x reflection: the list of methods, and what renders each",
          BELOW_REFLECTION + ["renderers/light"] + reflection("maps", "distances", "glossy", "raster", "planar")),
     Room("session", "the library's front door: a device, a scene on it, pictures of it",
-         CORE + ["renderers/scene", "renderers/film", "renderers/light", "renderers/methods"]),
+         CORE + ["renderers/device_scene", "renderers/film", "renderers/light", "renderers/methods"]),
     Room("image_io", "pictures in files: OpenImageIO, nowhere else", ["base", "image", "scene/texture.h"]),
     Room("import/document", "a glTF file: parsed, held against the schema, its buffers read", SCENE),
-    Room("import/scene", "glTF to Scene", SCENE + ["image_io", "import/document"]),
+    Room("import/conversion", "glTF to Scene", SCENE + ["image_io", "import/document"]),
     Room("compare/page", "what the pages and files written have in common", ["base"]),
     Room("compare/comparison", "methods measured against a reference: table, .json, report.html",
          PICTURES + ["compare/page", "renderers/film", "renderers/light", "renderers/methods", "session"]),
     Room("compare/trade", "time against error over settings: sweep, front, table, .json, page",
          PICTURES + ["compare/page", "compare/comparison"]),
     Room("cli", "one file per subcommand, exit codes; no algorithm",
-         PICTURES + ["import/scene", "compare/page", "compare/comparison", "compare/trade", "session", "renderers/film",
+         PICTURES + ["import/conversion", "compare/page", "compare/comparison", "compare/trade", "session", "renderers/film",
                      "renderers/light", "renderers/methods"] + reflection("maps", "distances", "glossy")),
 ]
 

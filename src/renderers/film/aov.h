@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/scene/gpu_scene.h"
+#include "renderers/device_scene/gpu_scene.h"
 
 #include "image/image.h"
 

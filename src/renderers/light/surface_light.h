@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/scene_change.h"
 #include "renderers/film/frame_counts.h"
-#include "renderers/scene/scene_change.h"
 
 #include "base/progress.h"
 #include "gpu/buffer.h"

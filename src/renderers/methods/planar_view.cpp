@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/methods/planar_view.h"
 
+#include "renderers/device_scene/scene_triangles.h"
 #include "renderers/film/frame_camera.h"
 #include "renderers/reflection/raster/drawn_samples.h"
 #include "renderers/reflection/raster/picture_pixels.h"
-#include "renderers/scene/scene_triangles.h"
 
 #include "geometry/reference_intersection.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/scene_change.h"
 #include "renderers/film/film.h"
 #include "renderers/film/render_settings.h"
 #include "renderers/film/render_statistics.h"
 #include "renderers/light/surface_light.h"
 #include "renderers/reflection/raster/reflection_error.h"
-#include "renderers/scene/scene_change.h"
 
 #include "base/progress.h"
 #include "scene/camera.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
+#include "renderers/device_scene/scene_data.h"
 #include "renderers/light/light.h"
-#include "renderers/scene/gpu_scene.h"
-#include "renderers/scene/scene_data.h"
 
 #include "scene/camera.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "import/scene/gltf.h"
+#include "import/conversion/gltf.h"
 
 #include "geometry/bvh.h"
 #include "geometry/bvh_check.h"

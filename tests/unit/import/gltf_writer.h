@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "import/scene/gltf.h"
+#include "import/conversion/gltf.h"
 
 #include "base/error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/scene/changed_bytes.h"
+#include "renderers/device_scene/changed_bytes.h"
 
 #include <gmock/gmock.h>
 

@@ -2,7 +2,7 @@
 // What touches or crosses a triangle.
 #include "renderers/light/mesh/contacts.h"
 
-#include "renderers/scene/scene_triangles.h"
+#include "renderers/device_scene/scene_triangles.h"
 #include "support/light_scenes.h"
 
 #include <glm/ext/matrix_transform.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which of surfaces in one plane lies on top.
-#include "renderers/scene/coplanar_layers.h"
+#include "renderers/device_scene/coplanar_layers.h"
 
-#include "renderers/scene/scene_triangles.h"
+#include "renderers/device_scene/scene_triangles.h"
 #include "support/light_scenes.h"
 
 #include <gtest/gtest.h>

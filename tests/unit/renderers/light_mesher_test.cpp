@@ -2,7 +2,7 @@
 // Meshes over triangles, grown by light that the tests make up.
 #include "renderers/light/mesh/light_mesher.h"
 
-#include "renderers/scene/scene_triangles.h"
+#include "renderers/device_scene/scene_triangles.h"
 #include "support/light_scenes.h"
 
 #include <glm/ext/matrix_transform.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tree of lights: every light at the end of its path, and within all that is said on the way of lights
 // there.
-#include "renderers/scene/light_tree.h"
+#include "renderers/device_scene/light_tree.h"
 
-#include "renderers/scene/light_cluster.h"
+#include "renderers/device_scene/light_cluster.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

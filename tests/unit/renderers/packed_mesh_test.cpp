@@ -2,8 +2,8 @@
 // Looking light up in a packed mesh, as kernels do, tells what the mesh says.
 #include "renderers/light/mesh/packed_mesh.h"
 
+#include "renderers/device_scene/scene_triangles.h"
 #include "renderers/light/mesh/light_mesher.h"
-#include "renderers/scene/scene_triangles.h"
 #include "support/light_scenes.h"
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/scene/scene_data.h"
+#include "renderers/device_scene/scene_data.h"
 
-#include "renderers/scene/texture_table.h"
+#include "renderers/device_scene/texture_table.h"
 #include "support/scenes.h"
 
 #include "geometry/bvh_check.h"

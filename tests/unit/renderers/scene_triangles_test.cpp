@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/scene/scene_triangles.h"
+#include "renderers/device_scene/scene_triangles.h"
 
-#include "renderers/scene/scene_change.h"
+#include "renderers/device_scene/scene_change.h"
 #include "support/scenes.h"
 
 #include <glm/ext/matrix_transform.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/light/direct/light_reach.h"
 
-#include "renderers/scene/scene_triangles.h"
+#include "renderers/device_scene/scene_triangles.h"
 
 #include <algorithm>
 #include <array>

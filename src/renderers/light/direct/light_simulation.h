@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
+#include "renderers/device_scene/scene_data.h"
 #include "renderers/film/device_counters.h"
 #include "renderers/light/direct/light_pieces.h"
 #include "renderers/light/direct/summed_lights.h"
 #include "renderers/light/light_settings.h"
 #include "renderers/light/surface_light.h"
-#include "renderers/scene/gpu_scene.h"
-#include "renderers/scene/scene_data.h"
 
 #include "gpu/dispatch_budget.h"
 #include "gpu/kernel.h"

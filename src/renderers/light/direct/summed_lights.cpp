@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/light/direct/summed_lights.h"
 
-#include "renderers/scene/scene_triangles.h"
-#include "renderers/scene/triangle_frame.h"
+#include "renderers/device_scene/scene_triangles.h"
+#include "renderers/device_scene/triangle_frame.h"
 
 #include <glm/geometric.hpp>
 

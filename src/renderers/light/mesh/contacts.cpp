@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/light/mesh/contacts.h"
 
-#include "renderers/scene/near_triangles.h"
-#include "renderers/scene/scene_triangles.h"
+#include "renderers/device_scene/near_triangles.h"
+#include "renderers/device_scene/scene_triangles.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/scene/scene_data.h"
-#include "renderers/scene/triangle_frame.h"
+#include "renderers/device_scene/scene_data.h"
+#include "renderers/device_scene/triangle_frame.h"
 
 #include <glm/vec2.hpp>
 

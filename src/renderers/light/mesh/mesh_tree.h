@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/scene_data.h"
 #include "renderers/light/mesh/light_mesh.h"
-#include "renderers/scene/scene_data.h"
 
 #include "interop/light_mesh.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/distances/distance_maps.h"
 
+#include "renderers/device_scene/scene_triangles.h"
 #include "renderers/reflection/distances/face_kernels.h"
 #include "renderers/reflection/reflectors/self_horizon.h"
-#include "renderers/scene/scene_triangles.h"
 
 #include "base/error.h"
 #include "base/same_bits.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
 #include "renderers/film/frame_counts.h"
 #include "renderers/reflection/distances/measured_faces.h"
 #include "renderers/reflection/reflectors/tolerance.h"
-#include "renderers/scene/gpu_scene.h"
 
 #include "base/progress.h"
 

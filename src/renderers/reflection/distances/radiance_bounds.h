@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
 #include "renderers/light/surface_light.h"
 #include "renderers/reflection/distances/measured_faces.h"
-#include "renderers/scene/gpu_scene.h"
 
 #include "base/progress.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/glossy/glossy_map_plan.h"
 
+#include "renderers/device_scene/scene_triangles.h"
 #include "renderers/reflection/glossy/map_prefilter.h"
-#include "renderers/scene/scene_triangles.h"
 
 #include "interop/shading.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
 #include "renderers/film/render_settings.h"
 #include "renderers/light/surface_light.h"
 #include "renderers/reflection/glossy/glossy_map_plan.h"
 #include "renderers/reflection/glossy/map_prefilter.h"
 #include "renderers/reflection/proxies/proxy.h"
 #include "renderers/reflection/reflectors/map_kind.h"
-#include "renderers/scene/gpu_scene.h"
 
 #include "base/progress.h"
 #include "image/image.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
 #include "renderers/film/film_kernel.h"
-#include "renderers/scene/gpu_scene.h"
 
 #include "gpu/dispatch_budget.h"
 #include "gpu/kernel.h"

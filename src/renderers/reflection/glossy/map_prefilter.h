@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
 #include "renderers/film/film_kernel.h"
 #include "renderers/light/surface_light.h"
 #include "renderers/reflection/glossy/inverse_distance_kernel.h"
 #include "renderers/reflection/maps/texel_tracer.h"
-#include "renderers/scene/gpu_scene.h"
 
 #include "gpu/dispatch_budget.h"
 #include "gpu/kernel.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
 #include "renderers/film/film_kernel.h"
 #include "renderers/film/render_settings.h"
 #include "renderers/film/render_statistics.h"
 #include "renderers/light/surface_light.h"
 #include "renderers/reflection/maps/reflection_maps.h"
 #include "renderers/reflection/maps/texel_tracer.h"
-#include "renderers/scene/gpu_scene.h"
 
 #include "base/progress.h"
 

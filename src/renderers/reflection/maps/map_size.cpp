@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/maps/map_size.h"
 
-#include "renderers/scene/closest_hit.h"
+#include "renderers/device_scene/closest_hit.h"
 
 #include "geometry/reference_intersection.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/scene_data.h"
 #include "renderers/reflection/reflectors/map_kind.h"
 #include "renderers/reflection/reflectors/probes.h"
 #include "renderers/reflection/reflectors/reflectors.h"
-#include "renderers/scene/scene_data.h"
 
 #include "scene/camera.h"
 

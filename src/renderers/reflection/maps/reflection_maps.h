@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/scene_data.h"
 #include "renderers/film/film_kernel.h"
 #include "renderers/reflection/maps/map_settings.h"
 #include "renderers/reflection/maps/map_size.h"
@@ -9,7 +10,6 @@
 #include "renderers/reflection/reflectors/probes.h"
 #include "renderers/reflection/reflectors/reflectors.h"
 #include "renderers/reflection/reflectors/tolerance.h"
-#include "renderers/scene/scene_data.h"
 
 #include "geometry/polyhedron.h"
 

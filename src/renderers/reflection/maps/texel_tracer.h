@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
 #include "renderers/film/film_kernel.h"
 #include "renderers/light/surface_light.h"
-#include "renderers/scene/gpu_scene.h"
 
 #include "gpu/kernel.h"
 

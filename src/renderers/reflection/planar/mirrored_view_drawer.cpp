@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/planar/mirrored_view_drawer.h"
 
+#include "renderers/device_scene/scene_constants.h"
 #include "renderers/film/frame_camera.h"
 #include "renderers/reflection/raster/deferred_tracer.h"
-#include "renderers/scene/scene_constants.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"

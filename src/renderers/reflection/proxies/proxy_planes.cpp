@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/proxies/proxy_planes.h"
 
-#include "renderers/scene/scene_triangles.h"
+#include "renderers/device_scene/scene_triangles.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "renderers/scene/scene_constants.h"
-#include "renderers/scene/scene_data.h"
+#include "renderers/device_scene/scene_constants.h"
+#include "renderers/device_scene/scene_data.h"
 
 #include <cstdint>
 #include <vector>

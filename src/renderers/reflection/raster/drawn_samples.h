@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/scene_data.h"
 #include "renderers/film/device_counters.h"
 #include "renderers/film/film.h"
 #include "renderers/film/film_kernel.h"
-#include "renderers/scene/scene_data.h"
 
 #include "gpu/raster_pipeline.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/raster/frame_drawer.h"
 
+#include "renderers/device_scene/scene_constants.h"
 #include "renderers/reflection/raster/drawn_samples.h"
-#include "renderers/scene/scene_constants.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"

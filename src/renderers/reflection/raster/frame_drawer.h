@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
+#include "renderers/device_scene/scene_data.h"
 #include "renderers/reflection/raster/deferred_tracer.h"
 #include "renderers/reflection/raster/draw_list.h"
 #include "renderers/reflection/raster/reflector_drawer.h"
-#include "renderers/scene/gpu_scene.h"
-#include "renderers/scene/scene_data.h"
 
 #include "gpu/raster_pipeline.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/raster/prediction_drawer.h"
 
+#include "renderers/device_scene/scene_constants.h"
 #include "renderers/reflection/raster/draw_list.h"
 #include "renderers/reflection/raster/drawn_samples.h"
 #include "renderers/reflection/raster/picture_pixels.h"
-#include "renderers/scene/scene_constants.h"
 
 #include "interop/bindings.h"
 #include "interop/specialization.h"

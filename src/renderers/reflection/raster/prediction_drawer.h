@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderers/device_scene/gpu_scene.h"
 #include "renderers/reflection/raster/reflection_error.h"
 #include "renderers/reflection/raster/reflector_drawer.h"
-#include "renderers/scene/gpu_scene.h"
 
 #include "gpu/raster_pipeline.h"
 

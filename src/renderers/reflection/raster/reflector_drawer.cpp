@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/raster/reflector_drawer.h"
 
+#include "renderers/device_scene/scene_constants.h"
 #include "renderers/reflection/raster/deferred_tracer.h"
-#include "renderers/scene/scene_constants.h"
 
 #include "base/check.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/reflectors/probes.h"
 
+#include "renderers/device_scene/closest_hit.h"
 #include "renderers/reflection/reflectors/capture_point.h"
 #include "renderers/reflection/reflectors/reflected_rays.h"
-#include "renderers/scene/closest_hit.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/reflectors/reflected_rays.h"
 
+#include "renderers/device_scene/closest_hit.h"
+#include "renderers/device_scene/scene_triangles.h"
 #include "renderers/reflection/reflectors/reflector_plane.h"
-#include "renderers/scene/closest_hit.h"
-#include "renderers/scene/scene_triangles.h"
 
 #include "base/sampler.h"
 #include "geometry/reference_intersection.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderers/reflection/reflectors/reflector_plane.h"
 
-#include "renderers/scene/closest_hit.h"
-#include "renderers/scene/scene_triangles.h"
+#include "renderers/device_scene/closest_hit.h"
+#include "renderers/device_scene/scene_triangles.h"
 
 #include "geometry/view_directions.h"
 
