@@ -17,6 +17,11 @@ vec2 cos_sin_of_turn(float u) {
     return turn < 2u ? rotated : -rotated;
 }
 
+/// Of an angle in [0, 2 pi], with an absolute error under 2e-7; in [0, pi/4] it is relative.
+float sin_of(float angle) {
+    return cos_sin_of_turn(angle * (0.5 / 3.14159265358979324)).y;
+}
+
 /// The angle of (x, y) from the x axis, in [0, pi], for y >= 0, with a relative error under 4e-7; 0 for (0, 0). Turned by pi/4
 /// where that makes it smaller, what is left is at most pi/8; there an odd polynomial is off by 1e-7 of it (least squares fit
 /// over Chebyshev points).

@@ -33,7 +33,7 @@ LightSample sample_triangle_light(LightInfo light, float probability, Surface su
     float facing = dot(area, -s.direction);
     vec2 texcoord = HAS_TEXTURES ? interpolated_texcoord(info.vertices, b.x, b.y) : vec2(0.0);
     vec3 radiance = emitted_radiance(materials[info.material], texcoord, facing > 0.0);
-    s.pdf = triangle_light_pdf(sampling, probability, abs(facing), dot(to_light, to_light));
+    s.pdf = triangle_light_pdf(sampling, probability, abs(facing), to_light);
     // A plane triangle does not light itself, whatever rounding makes of points on it.
     bool shines = facing != 0.0 && s.pdf > 0.0 && light.triangle != surface.triangle;
     s.irradiance = shines ? radiance / s.pdf : vec3(0.0);
@@ -85,7 +85,7 @@ float light_pdf(Hit hit, vec3 direction, Receiver left) {
     BvhTriangle vertices = bvh_triangle(hit.triangle);
     float facing = abs(dot(triangle_cross(vertices), direction));
     TriangleSampling sampling = triangle_sampling(vertices, info.material, left.position);
-    return triangle_light_pdf(sampling, choice_probability(info.light, left), facing, hit.t * hit.t);
+    return triangle_light_pdf(sampling, choice_probability(info.light, left), facing, hit.t * direction);
 }
 
 LightSample sample_environment(LightInfo light, float probability, Surface surface, vec2 u) {
