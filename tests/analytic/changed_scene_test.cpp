@@ -21,6 +21,12 @@ void move(Scene& scene, std::uint32_t instance, const glm::dvec3& by) {
     place = glm::translate(glm::dmat4(1.0), by) * place;
 }
 
+/// About the upward axis through its origin, in radians.
+void turn(Scene& scene, std::uint32_t instance, double angle) {
+    glm::dmat4& place = scene.instances[instance].world_from_object;
+    place = place * glm::rotate(glm::dmat4(1.0), angle, glm::dvec3(0, 1, 0));
+}
+
 Material& material_of(Scene& scene, std::uint32_t instance) {
     return scene.materials[scene.instances[instance].material];
 }
@@ -87,7 +93,10 @@ Scene later(int step) {
     Scene scene = everything_scene();
     if (step >= 1) move(scene, 3, {0.25, 0.125, -0.5});
     if (step >= 2) scene.lights[0].intensity *= 0.5f;
-    if (step >= 3) move(scene, 2, {0.125, 0.0, 0.25});
+    if (step >= 3) {
+        move(scene, 2, {0.125, 0.0, 0.25});
+        turn(scene, 4, 0.1);
+    }
     if (step >= 4) material_of(scene, 0).base_colour = {0.2f, 0.7f, 0.4f};
     if (step >= 5) move(scene, 1, {0.25, 0.0, 0.25});
     if (step >= 6) material_of(scene, 0).base_colour = glm::vec3(0.0f);  // keeps no light any more

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderers/scene/scene_change.h"
+#include "renderers/device_scene/scene_change.h"
 
-#include "renderers/scene/scene_buffers.h"
+#include "renderers/device_scene/scene_buffers.h"
 #include "support/light_scenes.h"
 #include "support/scenes.h"
 
@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 
 namespace utsuri::test {
 namespace {
@@ -101,6 +102,39 @@ TEST_F(SceneChanges, AreTheTrianglesThatMoved) {
     EXPECT_EQ(check_bvh(data_.bvh, kTriangles), "");
     EXPECT_EQ(data_.origin, before.origin);
     EXPECT_EQ(data_.light_revision, 1u);
+}
+
+/// A triangle of the scene by what it is made of, whatever its number: its corners, and their normals.
+using Corners = std::array<float, 18>;
+std::vector<Corners> sorted_corners(const SceneData& data) {
+    std::vector<Corners> result;
+    for (std::size_t t = 0; t < data.triangle_infos.size(); ++t) {
+        const interop::BvhTriangle& triangle = data.bvh.triangles[t];
+        Corners corners;
+        auto next = corners.begin();
+        for (const glm::vec3& place : {triangle.v0, triangle.v1, triangle.v2})
+            next = std::copy_n(&place.x, 3, next);
+        for (int corner = 0; corner < 3; ++corner)
+            next = std::copy_n(&data.normals[data.triangle_infos[t].vertices[corner]].x, 3, next);
+        result.push_back(corners);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+// Places and normals: a normal that was left behind would be found where things turn, not where they move.
+TEST_F(SceneChanges, OfThingsThatTurnLeaveWhatANewSceneHas) {
+    // Walls that stay where they are: scene space is about the middle of all.
+    add(scene_, room({-4, -4, -4}, {8, 8, 8}), lambert(glm::vec3(0.5f)));
+    data_ = prepare_scene_data(scene_);
+    const glm::dmat4 turned = glm::rotate(glm::dmat4(1.0), 0.3, glm::normalize(glm::dvec3(1, 2, 3))) *
+                              glm::scale(glm::dmat4(1.0), {0.5, 0.75, 1.0});
+    scene_.instances[0].world_from_object = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0.25, 1)) * turned;
+    EXPECT_TRUE(change().geometry);
+    EXPECT_EQ(check_bvh(data_.bvh, data_.triangle_infos.size()), "");
+    const SceneData anew = prepare_scene_data(scene_);
+    ASSERT_EQ(data_.origin, anew.origin);
+    EXPECT_EQ(sorted_corners(data_), sorted_corners(anew));
 }
 
 TEST_F(SceneChanges, OfTransformsThatKeepVerticesAndTurnNormals) {
