@@ -7,6 +7,7 @@
 
 #include "filled_light.h"
 
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
 #include <array>
@@ -125,6 +126,32 @@ TEST_F(LampShadows, ALampNearerThanItIsLong) {
         scene, 256, 4.0 / 16.0,
         [&](const glm::dvec3& position) { return irradiance_of_facing(tube, position) / kPi; },
         0.4);  // from beyond its ends one sees into it
+}
+
+// A plate that shines both ways, and a bulb, askew and off the middle of the scene, so that no coordinate is
+// round: a point on a lamp may lie a rounding above it, where half of the sky would shine.
+TEST_F(LampShadows, LampsThatBulgeNowhereInwardsDoNotLightThemselves) {
+    Material light = lambert(glm::vec3(0.5f));
+    light.emissive = glm::vec3(1.0f);
+    light.double_sided = true;
+    const glm::dmat4 askew = glm::rotate(glm::translate(glm::dmat4(1.0), {0.7, 1.3, -0.4}), 1.1,
+                                         glm::normalize(glm::dvec3(0.3, 0.7, -0.5)));
+    for (const Mesh& lamp : {ceiling({0, 0, 0}, 0.3f), icosphere({0, 0, 0}, 0.2f, 2)}) {
+        Scene scene;
+        add(scene, lamp, light);
+        scene.instances.back().world_from_object = askew;
+        add(scene, ground(8.0f), lambert(glm::vec3(0.0f)));
+        const Filled filled = fill(device(), scene, evenly_kept(0.005, 64, 3));
+        int count = 0;
+        for_each_point(filled, [&](std::size_t t, const glm::dvec3&, const interop::LightMeshPoint& point) {
+            if (filled.data.triangle_infos[t].instance != 0) return;
+            EXPECT_LE(point.front.x, kActsAsPoint);
+            const bool is_plate = lamp.triangles.size() == 2;  // the inside of a bulb shines on itself
+            EXPECT_LE(is_plate ? point.back.x : 0.0f, kActsAsPoint);
+            ++count;
+        });
+        EXPECT_GT(count, 100);
+    }
 }
 
 // More triangles than are summed: by samples alone. A sample's relative variance is below 1, so that four

@@ -49,12 +49,16 @@ uint first_piece_of(uint index) {
 }
 
 /// Whether a triangle shows its bright side, and some of it may be above both horizons: no point of it is farther from its
-/// middle than two thirds of its longest edge.
+/// middle than two thirds of its longest edge. A point in its plane, as well as rounding tells, sees it edge-on: were it a
+/// rounding above the triangle that it lies on, half of its sky would shine.
 bool may_shine(SummedLight light, Surface surface) {
+    const float PLANE_ROUNDINGS = 8.0;  // of the middle, and of corners that make the plane
     vec3 way = light.middle - surface.position;
     float reach = 0.667 * sqrt(light.size_squared);
-    return (light.is_double_sided == 1u || dot(light.area, way) < 0.0) && dot(way, surface.ns) > -reach &&
-           dot(way, surface.ng) > -reach;
+    float height = -dot(light.area, way);
+    vec3 rounded = surface.error_bound + rounding_bound(PLANE_ROUNDINGS) * (abs(light.middle) + abs(surface.position));
+    return (light.is_double_sided == 1u ? abs(height) : height) > dot(abs(light.area), rounded) &&
+           dot(way, surface.ns) > -reach && dot(way, surface.ng) > -reach;
 }
 
 bool acts_as_point(SummedLight light, Surface surface) {
