@@ -97,8 +97,7 @@ void add_compare_command(CLI::App& app, const std::string& command_line, Action&
     command->add_option("--spp", options->samples, "Samples per pixel of each method")
         ->check(CLI::Range(1u, 1u << 24))
         ->capture_default_str();
-    add_reference_options(*command, options->reference,
-                          "as many as make its mean squared error a tenth of the least that is told");
+    add_reference_options(*command, options->reference);
     command
         ->add_option("--fail-above", options->fail_above,
                      "Exit with 1 if the relMSE of a method is above this")

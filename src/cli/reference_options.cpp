@@ -3,15 +3,15 @@
 
 #include "cli/options.h"
 
-#include <fmt/format.h>
-
 namespace utsuri {
 
-void add_reference_options(CLI::App& command, ReferenceOptions& options, const std::string& samples_taken) {
+void add_reference_options(CLI::App& command, ReferenceOptions& options) {
     auto* const samples =
         command
-            .add_option("--reference-spp", options.samples,
-                        fmt::format("Samples per pixel of the reference, made even [{}]", samples_taken))
+            .add_option(
+                "--reference-spp", options.samples,
+                "Samples per pixel of the reference, made even [as many as make its mean squared error "
+                "a tenth of the least that is told]")
             ->check(CLI::Range(2u, 1u << 24));
     command
         .add_option("--reference-time", options.time,

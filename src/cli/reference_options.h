@@ -17,8 +17,8 @@ struct ReferenceOptions {
     std::string time = "2min";
 };
 
-/// @param samples_taken how many samples it gets if the user does not say, for the help text
-void add_reference_options(CLI::App& command, ReferenceOptions& options, const std::string& samples_taken);
+/// Adds --reference-spp and --reference-time.
+void add_reference_options(CLI::App& command, ReferenceOptions& options);
 
 /// @throws UsageError if the time is none
 void apply(const ReferenceOptions& options, ComparisonSettings& settings);

@@ -108,7 +108,7 @@ void add_trade_command(CLI::App& app, const std::string& command_line, Action& a
                      "Most samples per pixel; powers of two up to it are tried")
         ->check(CLI::Range(1u, 1u << 24))
         ->capture_default_str();
-    add_reference_options(*command, options->reference, "ten times --most-spp");
+    add_reference_options(*command, options->reference);
     add_choice_options(*command, options->choice);
     add_picture_options(*command, options->picture);
     add_common_options(*command, options->common);

@@ -156,6 +156,21 @@ class Choice(Trade):
         self.assertEqual(self.load("result.json")["runs"], [])
 
 
+class TradeReference(Trade):
+    """The reference, where nobody says how good it is to be."""
+
+    def test_takes_the_samples_that_the_least_error_needs(self):
+        # Light kept on surfaces has little noise, and a reference of ten times the samples too much to tell its error.
+        self.succeed("trade", self.scene("spheres"), "-o", "out", "--size", "32x24", "--map-size", "8", "--map-spp", "1",
+                     "--most-spp", "2", "--methods", "trace,hybrid", environment=self.environment)
+        values = self.load("out/trade.json")
+        reference = values["reference"]
+        self.assertGreater(reference["settings"]["samples"], 20)
+        least = min(run["metrics"]["mse"] for run in values["runs"])
+        self.assertLessEqual(reference["noise_mse"], 0.1 * least)
+        self.assertAlmostEqual(values["noise"]["mse"], reference["noise_mse"], delta=1e-4 * reference["noise_mse"])
+
+
 class RenderByChoice(Trade):
     """`render --within` and `--error` measure once, and again when what they kept is of no use."""
 

@@ -34,13 +34,6 @@ PictureSettings reference_settings(const Camera& camera, const ComparisonSetting
     return {method, camera, render, settings.maps, fmt::format("reference {}", method_name(method))};
 }
 
-double least_error(const Comparison& comparison) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const MethodResult& result : comparison.methods)
-        least = std::min(least, result.metrics.mse);
-    return least;
-}
-
 }  // namespace
 
 Reference::Reference(Session& session, const Camera& camera, const ComparisonSettings& settings)
@@ -98,13 +91,13 @@ std::uint32_t first_reference_samples(const ComparisonSettings& settings) {
     return even(settings.samples / kReferenceShare);
 }
 
-std::uint32_t needed_reference_samples(const Comparison& comparison) {
+std::uint32_t needed_reference_samples(const Comparison& comparison, double least_error) {
     const double noise = comparison.reference_noise_mse;
-    const double reported = least_error(comparison);
     const std::uint32_t samples = comparison.reference.samples;
-    if (std::isnan(noise) || std::isinf(reported) || noise <= kReferenceShare * reported) return samples;
+    if (std::isnan(noise) || std::isinf(least_error) || noise <= kReferenceShare * least_error)
+        return samples;
     // What is reported is the method's own error and the noise, which falls as samples grow.
-    const double own = reported - noise;
+    const double own = least_error - noise;
     const double times = own > 0.0 ? std::min((1.0 - kReferenceShare) / kReferenceShare * noise / own,
                                               kMoreSamples * kMoreSamples)
                                    : kMoreSamples;

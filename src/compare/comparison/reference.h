@@ -43,8 +43,9 @@ class Reference {
 std::uint32_t first_reference_samples(const ComparisonSettings& settings);
 
 /// How many samples it takes until the mean squared error of the reference is at most kReferenceShare of the
-/// least that is reported of a method; as many as it has where it is.
-std::uint32_t needed_reference_samples(const Comparison& comparison);
+/// least that is reported; as many as it has where it is.
+/// @param least_error that is reported, as Metrics::mse; infinite if none is
+std::uint32_t needed_reference_samples(const Comparison& comparison, double least_error);
 
 /// Of the least mean squared error that is reported.
 inline constexpr double kReferenceShare = 0.1;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace utsuri {
 namespace {
@@ -64,10 +65,18 @@ void add_reflection_errors(Comparison& comparison, Session& session, const Camer
     }
 }
 
+double least_error(const Comparison& comparison) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const MethodResult& result : comparison.methods)
+        least = std::min(least, result.metrics.mse);
+    return least;
+}
+
 /// Adds samples to the reference until it is right enough for all methods, or its time is over, and measures
 /// them again. If that fails the reference stays as it was told.
 void refine_reference(Comparison& comparison, Reference& reference, Progress& progress) try {
-    while (!progress.cancelled() && reference.grow(needed_reference_samples(comparison), progress)) {
+    while (!progress.cancelled() &&
+           reference.grow(needed_reference_samples(comparison, least_error(comparison)), progress)) {
         reference.tell(comparison);
         for (MethodResult& result : comparison.methods) {
             progress.begin(fmt::format("{}, measuring", method_name(result.method)));
@@ -81,8 +90,7 @@ void refine_reference(Comparison& comparison, Reference& reference, Progress& pr
 
 }  // namespace
 
-Comparison run_comparison(Session& session, const Camera& camera, const ComparisonSettings& settings,
-                          Progress& progress) {
+Comparison begin_comparison(Session& session, const Camera& camera, const ComparisonSettings& settings) {
     Comparison comparison;
     comparison.device = session.device();
     comparison.settings = settings.render;
@@ -94,7 +102,12 @@ Comparison run_comparison(Session& session, const Camera& camera, const Comparis
         reflective_mask(session.first_hits(camera, settings.render.width, settings.render.height));
     comparison.reflective_pixels =
         static_cast<std::uint64_t>(std::count(comparison.reflective.begin(), comparison.reflective.end(), 1));
+    return comparison;
+}
 
+Comparison run_comparison(Session& session, const Camera& camera, const ComparisonSettings& settings,
+                          Progress& progress) {
+    Comparison comparison = begin_comparison(session, camera, settings);
     Reference reference(session, camera, settings);
     reference.grow(first_reference_samples(settings), progress);
     reference.tell(comparison);

@@ -23,6 +23,9 @@ struct ComparisonSettings {
     bool predictions = false;        ///< find MethodResult::reflection_errors
 };
 
+/// What is known before anything is rendered: device, scene, and which pixels reflect.
+Comparison begin_comparison(Session& session, const Camera& camera, const ComparisonSettings& settings);
+
 /// Renders reference and methods, and measures. Stops early if progress says so, with what was finished. A
 /// method that fails is noted in Comparison::failures, and the others go on.
 /// @throws Error if the reference fails

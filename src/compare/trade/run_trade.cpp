@@ -2,6 +2,7 @@
 #include "compare/trade/run_trade.h"
 
 #include "compare/comparison/measure.h"
+#include "compare/comparison/reference.h"
 #include "compare/trade/trade_sweep.h"
 
 #include "base/command_line.h"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -26,14 +28,31 @@ constexpr double kShortFrameSeconds = 0.25;
 /// Timings of a short frame, the median of which counts; odd.
 constexpr std::size_t kShortFrameTimings = 3;
 
-/// Measures a picture and keeps it as JPEG only.
+/// A sweep as it goes on. Everything outlives it.
+struct Sweep {
+    Session& session;
+    const Camera& camera;
+    const ComparisonSettings& settings;
+    Reference& reference;
+    Trade& trade;
+};
+
+/// A run is measured again by a better reference unless the noise of this one is less than this share of its
+/// mean squared error.
+constexpr double kSmallNoise = 0.01;
+
+/// Measures a picture, and keeps it itself only where a better reference would change its errors.
+void measure_run(const Comparison& basis, TradeRun& run) {
+    measure_errors(basis, run.result);
+    run.result.flip = Plane();
+    if (!(basis.reference_noise_mse >= kSmallNoise * run.result.metrics.mse)) run.result.image = Image();
+}
+
 TradeRun finish_run(const Comparison& basis, MethodResult result, std::vector<std::string> options) {
-    measure_errors(basis, result);
     TradeRun run{std::move(result), std::move(options), {}};
     run.picture =
         encode_jpeg(shrink_to_width(run.result.image, kPictureColumns), basis.exposure, kPictureQuality);
-    run.result.image = Image();
-    run.result.flip = Plane();
+    measure_run(basis, run);
     return run;
 }
 
@@ -63,33 +82,79 @@ void time_short_frames(Picture& picture, const Camera& camera, std::span<TradeRu
         runs[i].result.frame_seconds = median(times[i]);
 }
 
-void run_setting(Session& session, const Camera& camera, const TradeSetting& setting,
-                 const ComparisonSettings& settings, const std::string& title, Progress& progress,
-                 Trade& trade) {
-    session.reset_peak_memory();
-    const PictureSettings picture_settings{setting.method, camera, settings.render, setting.maps, title};
-    Picture picture = session.make_picture(picture_settings);
+void run_setting(const Sweep& sweep, const TradeSetting& setting, const std::string& title,
+                 Progress& progress) {
+    sweep.session.reset_peak_memory();
+    const ComparisonSettings& settings = sweep.settings;
+    const PictureSettings picture_settings{setting.method, sweep.camera, settings.render, setting.maps,
+                                           title};
+    Picture picture = sweep.session.make_picture(picture_settings);
     progress.begin(title + ", preparing");
     picture.prepare(progress);
     progress.begin(title);
-    picture.set_camera(camera);  // so that the time of a frame is what it takes when the eye moves
-    const std::size_t first = trade.runs.size();
+    picture.set_camera(sweep.camera);  // so that the time of a frame is what it takes when the eye moves
+    std::vector<TradeRun>& runs = sweep.trade.runs;
+    const std::size_t first = runs.size();
     for (const std::uint32_t samples : swept_samples(settings.samples)) {
         picture.add_samples(samples - picture.samples(), progress);
         if (picture.samples() < samples) return;
-        trade.runs.push_back(finish_run(
-            trade.basis, collect_result(picture_settings, picture, session.memory()), setting.options));
+        MemoryUsage memory = sweep.session.memory();
+        memory.peak -= sweep.reference.held_bytes();
+        runs.push_back(finish_run(sweep.trade.basis, collect_result(picture_settings, picture, memory),
+                                  setting.options));
         if (progress.cancelled()) return;
     }
-    time_short_frames(picture, camera, std::span(trade.runs).subspan(first), progress);
+    time_short_frames(picture, sweep.camera, std::span(runs).subspan(first), progress);
 }
 
-Comparison render_reference(Session& session, const Camera& camera, ComparisonSettings settings,
-                            Progress& progress) {
-    settings.methods.clear();
-    Comparison basis = run_comparison(session, camera, settings, progress);
-    if (basis.interrupted) throw Interrupted();
-    return basis;
+void run_settings(const Sweep& sweep, Progress& progress) {
+    const std::vector<TradeSetting> swept = swept_settings(sweep.settings.methods, sweep.settings.maps);
+    for (std::size_t i = 0; i < swept.size() && !progress.cancelled(); ++i) {
+        const TradeSetting& setting = swept[i];
+        const std::string title =
+            fmt::format("{} of {}: {}", i + 1, swept.size(), shell_command(setting.options));
+        try {
+            run_setting(sweep, setting, title, progress);
+        } catch (const Interrupted&) {
+            break;
+        } catch (const Error& error) {
+            sweep.trade.failures.push_back(
+                {setting.method, setting.options, error.what(), error.exit_code()});
+        }
+    }
+}
+
+double least_error(const Trade& trade) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const TradeRun& run : trade.runs)
+        least = std::min(least, run.result.metrics.mse);
+    return least;
+}
+
+/// Adds samples to the reference until it is right enough for all runs, or its time is over, and measures
+/// again those whose errors that changes. The exposure stays that of the pictures.
+void refine_reference(const Sweep& sweep, Progress& progress) {
+    Comparison& basis = sweep.trade.basis;
+    const double exposure = basis.exposure;
+    while (!progress.cancelled() &&
+           sweep.reference.grow(needed_reference_samples(basis, least_error(sweep.trade)), progress)) {
+        sweep.reference.tell(basis);
+        basis.exposure = exposure;
+        progress.begin("measuring");
+        for (TradeRun& run : sweep.trade.runs) {
+            if (!run.result.image.pixels.empty()) measure_run(basis, run);
+        }
+    }
+    for (TradeRun& run : sweep.trade.runs)
+        run.result.image = Image();
+}
+
+void measure_noise(Trade& trade) {
+    MethodResult half;
+    half.image = std::move(trade.basis.reference_half);
+    measure_errors(trade.basis, half);
+    trade.noise = half.metrics;
+    trade.noise_reflective = half.metrics_reflective;
 }
 
 }  // namespace
@@ -97,26 +162,15 @@ Comparison render_reference(Session& session, const Camera& camera, ComparisonSe
 Trade run_trade(Session& session, const Camera& camera, const ComparisonSettings& settings,
                 Progress& progress) {
     Trade trade;
-    trade.basis = render_reference(session, camera, settings, progress);
-    MethodResult half;
-    half.image = std::move(trade.basis.reference_half);
-    measure_errors(trade.basis, half);
-    trade.noise = half.metrics;
-    trade.noise_reflective = half.metrics_reflective;
-
-    const std::vector<TradeSetting> sweep = swept_settings(settings.methods, settings.maps);
-    for (std::size_t i = 0; i < sweep.size() && !progress.cancelled(); ++i) {
-        const TradeSetting& setting = sweep[i];
-        const std::string title =
-            fmt::format("{} of {}: {}", i + 1, sweep.size(), shell_command(setting.options));
-        try {
-            run_setting(session, camera, setting, settings, title, progress, trade);
-        } catch (const Interrupted&) {
-            break;
-        } catch (const Error& error) {
-            trade.failures.push_back({setting.method, setting.options, error.what(), error.exit_code()});
-        }
-    }
+    trade.basis = begin_comparison(session, camera, settings);
+    Reference reference(session, camera, settings);
+    reference.grow(first_reference_samples(settings), progress);
+    reference.tell(trade.basis);
+    if (progress.cancelled()) throw Interrupted();
+    const Sweep sweep{session, camera, settings, reference, trade};
+    run_settings(sweep, progress);
+    if (!settings.reference_samples) refine_reference(sweep, progress);
+    measure_noise(trade);
     trade.interrupted = progress.cancelled();
     return trade;
 }
