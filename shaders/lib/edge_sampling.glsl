@@ -9,11 +9,10 @@
 
 /// The longest edge, from a to b, and the third corner c, as seen from a point. Lengths are in edges.
 struct SeenEdge {
-    vec3 a;         ///< from the point to the edge's start
-    vec3 edge;      ///< unit, but for scale
-    float scale;    ///< of both, a power of two, per metre
-    float start;    ///< of the edge, from its place nearest to the point
-    float distance; ///< of the line through the edge
+    vec3 edge;      ///< from a to b, times `scale`
+    float scale;    ///< a power of two, per metre
+    float start;    ///< where a is, from the place nearest to the point on the line through the edge
+    float distance; ///< of that line
     float angle;    ///< at which the edge is seen, in ]0, pi[
     float foot;     ///< of c on the edge, in [0, 1]
     uint first;     ///< which corner a is
@@ -27,20 +26,20 @@ SeenEdge seen_edge(vec3 q0, vec3 q1, vec3 q2) {
     seen.first = squares.x >= max(squares.y, squares.z) ? 0u : (squares.y >= squares.z ? 1u : 2u);
     vec3 b = seen.first == 0u ? q1 : (seen.first == 1u ? q2 : q0);
     vec3 c = seen.first == 0u ? q2 : (seen.first == 1u ? q0 : q1);
-    seen.a = seen.first == 0u ? q0 : (seen.first == 1u ? q1 : q2);
-    seen.edge = b - seen.a;
+    vec3 a = seen.first == 0u ? q0 : (seen.first == 1u ? q1 : q2);
+    seen.edge = b - a;
     // No product of lengths overflows or vanishes.
     seen.scale = power_of_two_reciprocal(max_component(abs(seen.edge)));
-    seen.a *= seen.scale;
+    a *= seen.scale;
     seen.edge *= seen.scale;
     c *= seen.scale;
     float reciprocal = 1.0 / dot(seen.edge, seen.edge);
-    vec3 beside = cross(seen.a, seen.edge) * reciprocal;
-    vec3 half_width = 0.5 * cross(c - seen.a, seen.edge) * reciprocal;
-    seen.start = dot(seen.a, seen.edge) * reciprocal;
+    vec3 beside = cross(a, seen.edge) * reciprocal;
+    vec3 half_width = 0.5 * cross(c - a, seen.edge) * reciprocal;
+    seen.start = dot(a, seen.edge) * reciprocal;
     seen.distance = sqrt(dot(beside, beside) + dot(half_width, half_width));
     seen.angle = angle_of(seen.distance, seen.start * (seen.start + 1.0) + seen.distance * seen.distance);
-    seen.foot = clamp(dot(c - seen.a, seen.edge) * reciprocal, 0.0, 1.0);
+    seen.foot = clamp(dot(c - a, seen.edge) * reciprocal, 0.0, 1.0);
     return seen;
 }
 

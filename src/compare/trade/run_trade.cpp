@@ -132,8 +132,9 @@ double least_error(const Trade& trade) {
 }
 
 /// Adds samples to the reference until it is right enough for all runs, or its time is over, and measures
-/// again those whose errors that changes. The exposure stays that of the pictures.
-void refine_reference(const Sweep& sweep, Progress& progress) {
+/// again those whose errors that changes. The exposure stays that of the pictures. If that fails the
+/// reference stays as it was told: what runs took minutes for is not lost with it.
+void refine_reference(const Sweep& sweep, Progress& progress) try {
     Comparison& basis = sweep.trade.basis;
     const double exposure = basis.exposure;
     while (!progress.cancelled() &&
@@ -145,8 +146,9 @@ void refine_reference(const Sweep& sweep, Progress& progress) {
             if (!run.result.image.pixels.empty()) measure_run(basis, run);
         }
     }
-    for (TradeRun& run : sweep.trade.runs)
-        run.result.image = Image();
+} catch (const Error& error) {
+    const Method& method = sweep.trade.basis.reference.method;
+    sweep.trade.failures.push_back({method, {"a better reference"}, error.what(), error.exit_code()});
 }
 
 void measure_noise(Trade& trade) {
@@ -170,6 +172,8 @@ Trade run_trade(Session& session, const Camera& camera, const ComparisonSettings
     const Sweep sweep{session, camera, settings, reference, trade};
     run_settings(sweep, progress);
     if (!settings.reference_samples) refine_reference(sweep, progress);
+    for (TradeRun& run : trade.runs)
+        run.result.image = Image();
     measure_noise(trade);
     trade.interrupted = progress.cancelled();
     return trade;

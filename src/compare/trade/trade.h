@@ -23,10 +23,10 @@ struct TradeRun {
     std::vector<std::byte> picture;    ///< JPEG; empty in a trade that was kept
 };
 
-/// A setting that could not be carried out here.
+/// A setting that could not be carried out here, or samples that the reference could not be given.
 struct TradeFailure {
     Method method;
-    std::vector<std::string> options;
+    std::vector<std::string> options;  ///< of the setting, or what is missing
     std::string message;
     ExitCode exit_code = ExitCode::device;
 };
